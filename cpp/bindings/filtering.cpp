@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include <cmath>
+#include <memory>
+
+#include "bindings.hpp"
+#include "survtrack/core/errors.hpp"
+#include "survtrack/filtering/filter_bank.hpp"
+
+namespace survtrack::bindings {
+namespace {
+
+using Positions = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// A filter bank that checks what comes from Python.
+struct PyFilterBank {
+  explicit PyFilterBank(const FilterOptions& options) : bank(make_filter_bank(options)) {}
+
+  int slot(int index) const {
+    if (index >= 0 && index < bank->size()) return index;
+    throw InputError("slot: " + std::to_string(index) + " is not allowed; the bank has " + std::to_string(bank->size()) +
+                     " filters, counted from 0");
+  }
+
+  std::unique_ptr<FilterBank> bank;
+};
+
+int add(PyFilterBank& self, double x, double y, double object_size_px) {
+  if (!std::isfinite(x) || !std::isfinite(y)) throw InputError("position: expected finite numbers");
+  if (!(object_size_px > 0.0) || !std::isfinite(object_size_px)) {
+    throw InputError("object_size_px: " + std::to_string(object_size_px) + " is not allowed; expected a number above 0");
+  }
+  return self.bank->add({x, y}, object_size_px);
+}
+
+void predict(PyFilterBank& self, double dt) {
+  if (!(dt > 0.0) || !(dt <= 1e6)) {
+    throw InputError("dt: " + std::to_string(dt) + " is not allowed; expected a number above 0 and at most 1e6");
+  }
+  self.bank->predict(dt);
+}
+
+/// Rows that hold NaN are missing measurements: their filters only predict.
+void correct(PyFilterBank& self, const Positions& measured) {
+  if (measured.ndim() != 2 || measured.shape(0) != self.bank->size() || measured.shape(1) != 2) {
+    throw InputError("measured: expected an array of shape (" + std::to_string(self.bank->size()) +
+                     ", 2), a position a filter, NaN where one is missing");
+  }
+  const auto z = measured.unchecked<2>();
+  for (int i = 0; i < self.bank->size(); ++i) {
+    if (std::isinf(z(i, 0)) || std::isinf(z(i, 1))) throw InputError("measured: row " + std::to_string(i) + " is infinite");
+  }
+  for (int i = 0; i < self.bank->size(); ++i) {
+    if (!std::isnan(z(i, 0)) && !std::isnan(z(i, 1))) self.bank->correct(i, {z(i, 0), z(i, 1)});
+  }
+}
+
+template <class Get>
+py::array_t<double> points(const PyFilterBank& self, const Get& get) {
+  py::array_t<double> array({self.bank->size(), 2});
+  auto a = array.mutable_unchecked<2>();
+  for (int i = 0; i < self.bank->size(); ++i) {
+    const Point p = get(i);
+    a(i, 0) = p.x;
+    a(i, 1) = p.y;
+  }
+  return array;
+}
+
+template <class Get>
+py::array_t<double> matrices(const PyFilterBank& self, const Get& get) {
+  py::array_t<double> array({self.bank->size(), 2, 2});
+  auto a = array.mutable_unchecked<3>();
+  for (int i = 0; i < self.bank->size(); ++i) {
+    const Symmetric2 m = get(i);
+    a(i, 0, 0) = m.xx;
+    a(i, 0, 1) = a(i, 1, 0) = m.xy;
+    a(i, 1, 1) = m.yy;
+  }
+  return array;
+}
+
+py::array_t<double> array_of_matrix(const Eigen::MatrixXd& matrix) {
+  py::array_t<double> array({matrix.rows(), matrix.cols()});
+  auto a = array.mutable_unchecked<2>();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) a(i, j) = matrix(i, j);
+  }
+  return array;
+}
+
+}  // namespace
+
+void bind_filtering(py::module_& module) {
+  py::class_<PyFilterBank>(module, "FilterBank",
+                           "The filters of many objects in one, a slot an object; each is predicted and corrected in turn.")
+      .def(py::init<const FilterOptions&>(), py::arg("options"), "Raises ConfigError.")
+      .def("__len__", [](const PyFilterBank& self) { return self.bank->size(); })
+      .def("add", &add, py::arg("x"), py::arg("y"), py::kw_only(), py::arg("object_size_px") = 1.0,
+           "Starts a filter at a measured position in px; returns its slot. object_size_px is the unit of noises that\n"
+           "are relative to the object's size. Raises InputError.")
+      .def("remove", [](PyFilterBank& self, int slot) { self.bank->remove(self.slot(slot)); }, py::arg("slot"),
+           "Ends a filter; later slots move down by one.")
+      .def("predict", &predict, py::arg("dt"), "Moves all filters on by dt time units, above 0.")
+      .def("correct", &correct, py::arg("measured"),
+           "Corrects all filters by an Nx2 array of positions in px; rows of NaN are missing measurements.")
+      .def_property_readonly("positions", [](const PyFilterBank& self) {
+        return points(self, [&](int i) { return self.bank->estimate(i).position; });
+      }, "Nx2, px")
+      .def_property_readonly("predicted_positions", [](const PyFilterBank& self) {
+        return points(self, [&](int i) { return self.bank->predicted_position(i); });
+      }, "Nx2, px: where the measurements are expected, after predict")
+      .def_property_readonly("velocities", [](const PyFilterBank& self) {
+        return points(self, [&](int i) { return self.bank->estimate(i).velocity; });
+      }, "Nx2, px per time unit")
+      .def_property_readonly("position_covariances_px2", [](const PyFilterBank& self) {
+        return matrices(self, [&](int i) { return self.bank->estimate(i).covariance_px2; });
+      }, "Nx2x2, px^2")
+      .def_property_readonly("innovation_covariances_px2", [](const PyFilterBank& self) {
+        return matrices(self, [&](int i) { return self.bank->innovation_covariance_px2(i); });
+      }, "Nx2x2, px^2")
+      .def("state", [](const PyFilterBank& self, int slot) {
+        const Eigen::VectorXd x = self.bank->state(self.slot(slot));
+        return py::array_t<double>(x.size(), x.data());
+      }, py::arg("slot"), "The raw state: positions, velocities, accelerations (x, y each).")
+      .def("state_covariance", [](const PyFilterBank& self, int slot) {
+        return array_of_matrix(self.bank->state_covariance(self.slot(slot)));
+      }, py::arg("slot"), "The raw state's covariance; empty for filters without one.");
+}
+
+}  // namespace survtrack::bindings

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "options_class.hpp"
+
+#include "survtrack/pipeline/config.hpp"
+
+namespace survtrack::bindings {
+
+void bind_options(py::module_& module) {
+  bind_model_options<SelectiveOptions>(module, "SelectiveOptions");
+  bind_model_options<MovingAverageOptions>(module, "MovingAverageOptions");
+  bind_model_options<Mog2Options>(module, "Mog2Options");
+  bind_model_options<KnnOptions>(module, "KnnOptions");
+  bind_frozen_options<CleanupOptions>(module, "CleanupOptions", "Noise removal on the mask: median, opening, closing");
+  bind_frozen_options<BlobOptions>(module, "BlobOptions", "Which foreground regions count as detections");
+  bind_model_options<KalmanCvOptions>(module, "KalmanCvOptions");
+  bind_model_options<KalmanCaOptions>(module, "KalmanCaOptions");
+  bind_model_options<MeanVelocityOptions>(module, "MeanVelocityOptions");
+  bind_model_options<BoxCenterOptions>(module, "BoxCenterOptions");
+  bind_model_options<CentroidOptions>(module, "CentroidOptions");
+  bind_model_options<GaussianCostOptions>(module, "GaussianCostOptions");
+  bind_model_options<MatchMatrixOptions>(module, "MatchMatrixOptions");
+  bind_model_options<HungarianOptions>(module, "HungarianOptions");
+  bind_model_options<OldestFirstOptions>(module, "OldestFirstOptions");
+  bind_model_options<ConfirmAndLoseOptions>(module, "ConfirmAndLoseOptions");
+  bind_model_options<LostCountOptions>(module, "LostCountOptions");
+  bind_frozen_options<OutputOptions>(module, "OutputOptions", "Extras of a result that cost something");
+}
+
+}  // namespace survtrack::bindings

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include <memory>
+#include <mutex>
+
+#include "results.hpp"
+#include "survtrack/pipeline/pipeline.hpp"
+
+namespace survtrack::bindings {
+namespace {
+
+/// A stage with the lock that makes calls from several Python threads take turns: the GIL is released while
+/// the core works.
+template <class Stage>
+struct Guarded {
+  explicit Guarded(const Config& options) : stage(options), config(options) {}
+
+  template <class Work>
+  auto run(Work&& work) {
+    const py::gil_scoped_release release;
+    const std::lock_guard<std::mutex> lock(mutex);
+    return work(stage);
+  }
+
+  Stage stage;
+  Config config;
+  std::mutex mutex;
+};
+
+using PyPipeline = Guarded<Pipeline>;
+using PyDetector = Guarded<Detector>;
+
+struct PyTracker : Guarded<Tracker> {
+  using Guarded::Guarded;
+  std::int64_t next_index = 0;
+};
+
+py::object process_frame(PyPipeline& self, const py::object& frame, double time_s, std::optional<std::int64_t> index) {
+  const ImageView view = view_of_image(frame, "frame");
+  PyFrameResult result;
+  const bool due = self.run([&](Pipeline& p) { return p.process(view.image, time_s, result.value, index); });
+  if (!due) return py::none();
+  // Without delay the result's image shares the array's pixels: give the array itself, which owns them.
+  result.frame = self.stage.delay_frames() == 0 ? py::object(view.owner) : py::object(array_of_image(result.value.frame));
+  result.value.frame = cv::Mat();
+  return py::cast(std::move(result));
+}
+
+std::vector<PyFrameResult> finish_pipeline(PyPipeline& self) {
+  std::vector<PyFrameResult> rest;
+  for (FrameResult& result : self.run([](Pipeline& p) { return p.finish(); })) {
+    const py::array frame = array_of_image(result.frame);
+    result.frame = cv::Mat();
+    rest.push_back({std::move(result), frame});
+  }
+  return rest;
+}
+
+void bind_whole(py::module_& module) {
+  py::class_<PyPipeline>(module, "Pipeline", "The whole system: frame in, tracks and events out. One object a camera.")
+      .def(py::init<const Config&>(), py::arg("config") = Config{}, "Raises ConfigError.")
+      .def_static("from_preset", [](const std::string& name) { return std::make_unique<PyPipeline>(preset(name)); },
+                  py::arg("name") = "survtrack", "A pipeline with a preset's config.")
+      .def_property_readonly("config", [](const PyPipeline& self) { return self.config; }, "A copy of the config.")
+      .def_property_readonly("delay_frames", [](const PyPipeline& self) { return self.stage.delay_frames(); },
+                             "Frames by which results come late.")
+      .def("process", &process_frame, py::arg("frame"), py::arg("time_s"), py::arg("index") = py::none(),
+           "One frame on. frame: HxW (grey) or HxWx3 (BGR) uint8, one size for the whole run; time_s: increasing, in\n"
+           "seconds; index: the frame's index in its source, increasing, counts on from the last by default.\n"
+           "None while a delayed pipeline fills. Raises InputError and then keeps its state.")
+      .def("finish", &finish_pipeline, "The source has ended: the results still due. After it only reset() is allowed.")
+      .def("reset", [](PyPipeline& self) { self.run([](Pipeline& p) { p.reset(); }); },
+           "Forgets frames and tracks; the next frame is a first frame and ids start at 1.");
+}
+
+void bind_detector(py::module_& module) {
+  py::class_<PyDetector>(module, "Detector", "The first half: frame in, detections out.")
+      .def(py::init<const Config&>(), py::arg("config") = Config{}, "Raises ConfigError.")
+      .def_property_readonly("delay_frames", [](const PyDetector& self) { return self.stage.delay_frames(); },
+                             "Frames by which detections come late.")
+      .def(
+          "process",
+          [](PyDetector& self, const py::object& frame, double time_s, std::optional<std::int64_t> index,
+             const std::vector<Box>& keep) -> py::object {
+            const ImageView view = view_of_image(frame, "frame");
+            auto detections = self.run([&](Detector& d) { return d.process(view.image, time_s, index, keep); });
+            return detections ? py::cast(PyDetections{std::move(*detections)}) : py::none();
+          },
+          py::arg("frame"), py::arg("time_s"), py::arg("index") = py::none(), py::kw_only(),
+          py::arg("keep") = std::vector<Box>{},
+          "Frame in, detections out; None while a delayed model fills. Arguments as for Pipeline.process; keep: places\n"
+          "that the background must not learn.")
+      .def(
+          "finish",
+          [](PyDetector& self) {
+            std::vector<PyDetections> rest;
+            for (Detections& d : self.run([](Detector& stage) { return stage.finish(); })) rest.push_back({std::move(d)});
+            return rest;
+          },
+          "The rest of a delayed model. After it only reset() is allowed.")
+      .def("reset", [](PyDetector& self) { self.run([](Detector& d) { d.reset(); }); }, "Forgets everything.");
+}
+
+void bind_tracker(py::module_& module) {
+  py::class_<PyTracker>(module, "Tracker", "The second half: detections in, tracks out; for any detector's boxes.")
+      .def(py::init<const Config&>(), py::arg("config") = Config{}, "Raises ConfigError.")
+      .def(
+          "process",
+          [](PyTracker& self, const PyDetections& detections) {
+            TrackingResult result = self.run([&](Tracker& t) { return t.process(detections.value); });
+            self.next_index = detections.value.index + 1;
+            return result;
+          },
+          py::arg("detections"), "One frame on: predicts to detections.time_s, associates, updates.")
+      .def(
+          "process",
+          [](PyTracker& self, const py::object& boxes, double time_s) {
+            const Detections detections =
+                detections_of_boxes(boxes, time_s, self.next_index, py::none(), py::none(), {0, 0});
+            TrackingResult result = self.run([&](Tracker& t) { return t.process(detections); });
+            ++self.next_index;
+            return result;
+          },
+          py::arg("boxes"), py::arg("time_s"), "The same with an Nx4 array: left, top, width, height in px.")
+      .def("predict", [](PyTracker& self, double time_s) { return self.run([&](Tracker& t) { return t.predict(time_s); }); },
+           py::arg("time_s"), "Moves all tracks on to the coming frame's time and says what is expected there.")
+      .def(
+          "update",
+          [](PyTracker& self, const PyDetections& detections) {
+            TrackingResult result;
+            self.run([&](Tracker& t) { t.update(detections.value, result); });
+            return result;
+          },
+          py::arg("detections"), "The second step of process, after predict for the same time.")
+      .def("reset", [](PyTracker& self) { self.run([](Tracker& t) { t.reset(); }); self.next_index = 0; },
+           "Forgets all tracks; ids start at 1 again.");
+}
+
+}  // namespace
+
+void bind_pipeline(py::module_& module) {
+  bind_whole(module);
+  bind_detector(module);
+  bind_tracker(module);
+}
+
+}  // namespace survtrack::bindings

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include <memory>
+
+#include "results.hpp"
+#include "survtrack/blobs/blob_extractor.hpp"
+#include "survtrack/core/checks.hpp"
+#include "survtrack/core/errors.hpp"
+#include "survtrack/segmentation/cleanup.hpp"
+#include "survtrack/segmentation/segmenter.hpp"
+
+namespace survtrack::bindings {
+namespace {
+
+/// A background model that checks what comes from Python; models with a look-ahead go through `Detector`.
+struct PySegmenter {
+  explicit PySegmenter(const SegmenterOptions& options) : model(make_segmenter(options)) {
+    if (model->delay_frames() > 0) {
+      throw ConfigError("segmenter.window: a centred window has a delay of " + std::to_string(model->delay_frames()) +
+                        " frames; Segmenter takes models without delay, Detector takes all");
+    }
+  }
+
+  std::unique_ptr<Segmenter> model;
+  cv::Size size;
+  int channels = 0;
+  double time_s = -std::numeric_limits<double>::infinity();
+};
+
+py::array segment(PySegmenter& self, const py::object& frame, double time_s) {
+  const ImageView view = view_of_image(frame, "frame");
+  if (self.channels != 0) check_same_format(view.image, self.size, self.channels);
+  check_time(time_s, self.time_s);
+  self.size = view.image.size();
+  self.channels = view.image.channels();
+  self.time_s = time_s;
+  Expectation expectation;
+  expectation.time_s = time_s;
+  std::vector<Event> events;
+  cv::Mat mask;
+  self.model->push(view.image);
+  self.model->segment(view.image, expectation, mask, events);
+  return array_of_image(mask);
+}
+
+py::array background(const PySegmenter& self) {
+  if (self.channels == 0) throw InputError("background: no frame was segmented yet");
+  cv::Mat picture;
+  self.model->background(picture);
+  return array_of_image(picture);
+}
+
+py::array clean_mask(const py::object& mask, const CleanupOptions& options) {
+  const ImageView view = view_of_image(mask, "mask");
+  if (view.image.channels() != 1) throw InputError("mask: has 3 channels; expected HxW uint8");
+  cv::Mat cleaned = view.image.clone();
+  Cleanup(options).apply(cleaned);
+  return array_of_image(cleaned);
+}
+
+PyDetections find_blobs(const py::object& mask, const py::object& frame, const BlobOptions& options, bool contours) {
+  const ImageView view = view_of_image(mask, "mask");
+  if (view.image.channels() != 1) throw InputError("mask: has 3 channels; expected HxW uint8");
+  const ImageView colors = view_of_image(frame.is_none() ? mask : frame, "frame");
+  if (colors.image.size() != view.image.size()) {
+    throw InputError("frame: is " + std::to_string(colors.image.rows) + "x" + std::to_string(colors.image.cols) +
+                     "; expected the mask's size, " + std::to_string(view.image.rows) + "x" +
+                     std::to_string(view.image.cols));
+  }
+  PyDetections detections;
+  detections.value.frame_width = view.image.cols;
+  detections.value.frame_height = view.image.rows;
+  BlobExtractor(options).extract(view.image, colors.image, Expectation{}, contours, detections.value);
+  detections.value.mask = view.image.clone();
+  return detections;
+}
+
+}  // namespace
+
+void bind_segmentation(py::module_& module) {
+  py::class_<PySegmenter>(module, "Segmenter", "A background model alone: frame in, raw foreground mask out.")
+      .def(py::init<const SegmenterOptions&>(), py::arg("options") = SegmenterOptions{}, "Raises ConfigError.")
+      .def("segment", &segment, py::arg("frame"), py::arg("time_s"),
+           "One frame on: frame is HxW or HxWx3 (BGR) uint8, time_s increases. Returns the mask before cleanup, HxW\n"
+           "uint8, 0 or 255. Raises InputError and then keeps its state.")
+      .def("background", &background, "The background picture, uint8 of the frame's size.")
+      .def("reset", [](PySegmenter& self) {
+        self.model->reset();
+        self.channels = 0;
+        self.time_s = -std::numeric_limits<double>::infinity();
+      }, "Forgets everything: the next frame is a first frame.");
+  module.def("clean_mask", &clean_mask, py::arg("mask"), py::arg("options") = CleanupOptions{},
+             "A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing. The input is left alone.");
+  module.def("find_blobs", &find_blobs, py::arg("mask"), py::arg("frame") = py::none(),
+             py::arg("options") = BlobOptions{}, py::kw_only(), py::arg("contours") = false,
+             "The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size).");
+}
+
+}  // namespace survtrack::bindings

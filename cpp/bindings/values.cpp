@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include <pybind11/native_enum.h>
+
+#include "bindings.hpp"
+#include "survtrack/core/detection.hpp"
+#include "survtrack/core/event.hpp"
+#include "survtrack/core/expectation.hpp"
+#include "survtrack/core/matches.hpp"
+#include "survtrack/core/track.hpp"
+
+namespace survtrack::bindings {
+namespace {
+
+std::string box_repr(const Box& b) {
+  return py::str("Box(x={:.6g}, y={:.6g}, width={:.6g}, height={:.6g})").format(b.x, b.y, b.width, b.height);
+}
+
+void bind_box(py::module_& module) {
+  py::class_<Box>(module, "Box", "An axis-parallel box: left and top edge and size, in px.")
+      .def(py::init([](double x, double y, double width, double height) { return Box{x, y, width, height}; }),
+           py::arg("x"), py::arg("y"), py::arg("width"), py::arg("height"))
+      .def_readonly("x", &Box::x, "Left edge, px.")
+      .def_readonly("y", &Box::y, "Top edge, px.")
+      .def_readonly("width", &Box::width, "px")
+      .def_readonly("height", &Box::height, "px")
+      .def_property_readonly("right", &Box::right, "px")
+      .def_property_readonly("bottom", &Box::bottom, "px")
+      .def_property_readonly("area_px", &Box::area_px, "px^2")
+      .def_property_readonly("center", [](const Box& b) { return tuple_of(b.center()); }, "(x, y), px")
+      .def("__iter__", [](const Box& b) -> py::typing::Iterator<double> {
+        return py::iter(py::make_tuple(b.x, b.y, b.width, b.height));
+      })
+      .def("__eq__", [](const Box& a, const py::object& b) { return py::isinstance<Box>(b) && a == b.cast<Box>(); })
+      .def("__hash__", [](const Box& b) { return py::hash(py::make_tuple(b.x, b.y, b.width, b.height)); })
+      .def("__repr__", &box_repr);
+  module.def("iou", &iou, py::arg("a"), py::arg("b"), "Intersection over union of two boxes, 0 to 1.");
+}
+
+void bind_detection(py::module_& module) {
+  py::class_<Detection>(module, "Detection", "Something seen in one frame: a blob, or a box of your own detector.")
+      .def_readonly("box", &Detection::box, "px")
+      .def_property_readonly("position", [](const Detection& d) { return tuple_of(d.position); },
+                             "(x, y) in px: a blob's centroid over all its pixels, else the box centre.")
+      .def_readonly("area_px", &Detection::area_px, "Number of foreground pixels; a box's area for own boxes.")
+      .def_property_readonly("mean_color", [](const Detection& d) { return tuple_of(d.mean_color); },
+                             "(blue, green, red), 0 to 255; zero when there was no image.")
+      .def_property_readonly("moments_px2", [](const Detection& d) { return array_of(d.moments_px2); },
+                             "2x2 second central moments over the pixels, px^2.")
+      .def_readonly("confidence", &Detection::confidence, "1 for blobs; your detector's score otherwise.")
+      .def_readonly("class_id", &Detection::class_id, "-1: no class.")
+      .def("__repr__", [](const Detection& d) {
+        return py::str("Detection(box={}, area_px={:.6g})").format(box_repr(d.box), d.area_px);
+      });
+}
+
+void bind_track(py::module_& module) {
+  py::native_enum<TrackStatus>(module, "TrackStatus", "enum.Enum", "Where a track is in its life.")
+      .value("tentative", TrackStatus::tentative, "seen too few times to be believed")
+      .value("confirmed", TrackStatus::confirmed, "matched in this frame")
+      .value("lost", TrackStatus::lost, "not matched in this frame")
+      .value("closed", TrackStatus::closed, "ended in this frame")
+      .finalize();
+  py::class_<Track>(module, "Track", "One object followed through time, as known after one frame.")
+      .def_readonly("id", &Track::id, "From 1, without gaps, never reused; 0 while tentative.")
+      .def_readonly("status", &Track::status)
+      .def_readonly("reported", &Track::reported, "Part of the answer of this frame: written to files and drawn.")
+      .def_readonly("box", &Track::box, "Estimated box in this frame, px.")
+      .def_property_readonly("position", [](const Track& t) { return tuple_of(t.position); }, "(x, y), px")
+      .def_property_readonly("velocity_px_per_s", [](const Track& t) { return tuple_of(t.velocity_px_per_s); }, "(x, y)")
+      .def_property_readonly("position_covariance_px2",
+                             [](const Track& t) { return array_of(t.position_covariance_px2); }, "2x2, px^2")
+      .def_property_readonly("predicted_position", [](const Track& t) { return tuple_of(t.predicted_position); },
+                             "(x, y) in px: where this frame's detection was expected.")
+      .def_property_readonly("mean_color", [](const Track& t) { return tuple_of(t.mean_color); },
+                             "(blue, green, red) of the detection last matched.")
+      .def_readonly("detection", &Track::detection, "Index of this frame's matched detection; -1: none.")
+      .def_readonly("age_frames", &Track::age_frames, "Frames since its first detection, that one not counted.")
+      .def_readonly("matched_frames", &Track::matched_frames, "Frames with a detection, the first one counted.")
+      .def_readonly("lost_frames", &Track::lost_frames, "Frames since its last detection.")
+      .def_readonly("start_index", &Track::start_index, "Index of the frame of its first detection.")
+      .def_readonly("end_index", &Track::end_index, "Index of the frame of its last detection.")
+      .def_readonly("start_time_s", &Track::start_time_s)
+      .def_readonly("end_time_s", &Track::end_time_s)
+      .def("__repr__", [](const Track& t) {
+        return py::str("Track(id={}, status={}, box={})").format(t.id, to_string(t.status), box_repr(t.box));
+      });
+}
+
+void bind_event(py::module_& module) {
+  py::native_enum<EventKind>(module, "EventKind", "enum.Enum", "What happened.")
+      .value("track_started", EventKind::track_started, "a track was confirmed")
+      .value("track_lost", EventKind::track_lost, "a confirmed track found no detection")
+      .value("track_recovered", EventKind::track_recovered, "a lost track found a detection again")
+      .value("track_ended", EventKind::track_ended, "a confirmed track was closed")
+      .value("scene_changed", EventKind::scene_changed, "the whole scene changed")
+      .finalize();
+  py::class_<Event>(module, "Event", "Something that happened in one frame.")
+      .def_readonly("kind", &Event::kind)
+      .def_readonly("index", &Event::index, "The frame's index in its source.")
+      .def_readonly("time_s", &Event::time_s)
+      .def_readonly("track_id", &Event::track_id, "0: concerns no track.")
+      .def_readonly("other_track_ids", &Event::other_track_ids)
+      .def_property_readonly("position", [](const Event& e) { return tuple_of(e.position); }, "(x, y), px")
+      .def_readonly("box", &Event::box, "px")
+      .def_property_readonly("position_covariance_px2",
+                             [](const Event& e) { return array_of(e.position_covariance_px2); }, "2x2, px^2")
+      .def_readonly("text", &Event::text, "One readable sentence.")
+      .def("__repr__", [](const Event& e) {
+        return py::str("Event(kind={}, index={}, track_id={})").format(to_string(e.kind), e.index, e.track_id);
+      });
+}
+
+void bind_expectation(py::module_& module) {
+  py::class_<PredictedTrack>(module, "PredictedTrack", "A track as the tracker expects to see it in the coming frame.")
+      .def_readonly("id", &PredictedTrack::id)
+      .def_readonly("confirmed", &PredictedTrack::confirmed)
+      .def_readonly("box", &PredictedTrack::box, "px")
+      .def_property_readonly("position", [](const PredictedTrack& t) { return tuple_of(t.position); }, "(x, y), px")
+      .def_property_readonly("velocity_px_per_s",
+                             [](const PredictedTrack& t) { return tuple_of(t.velocity_px_per_s); }, "(x, y)")
+      .def_property_readonly("innovation_covariance_px2",
+                             [](const PredictedTrack& t) { return array_of(t.innovation_covariance_px2); },
+                             "2x2, px^2, of the measurement about its predicted position")
+      .def_readonly("lost_s", &PredictedTrack::lost_s, "Time since its last detection, at the coming frame.");
+  py::class_<SceneScale>(module, "SceneScale", "How large an object should measure where its foot stands.")
+      .def_readonly("known", &SceneScale::known, "Enough was seen for the law to be used.")
+      .def("height_px", &SceneScale::height_px, py::arg("bottom"),
+           "Expected height in px of an object whose lower edge is at row `bottom`.");
+  py::class_<Expectation>(module, "Expectation", "What the tracker expects of the coming frame.")
+      .def_readonly("time_s", &Expectation::time_s)
+      .def_readonly("tracks", &Expectation::tracks)
+      .def_readonly("scale", &Expectation::scale, "How large objects are, where.")
+      .def_readonly("regions", &Expectation::regions, "Where to look; empty: the whole frame.")
+      .def_readonly("keep", &Expectation::keep, "Places that the background must not learn.");
+  py::class_<Match>(module, "Match", "A pair of track and detection that passed the gate.")
+      .def_readonly("track_id", &Match::track_id)
+      .def_readonly("track", &Match::track, "Row among the tracks open before the frame.")
+      .def_readonly("detection", &Match::detection, "Index among the frame's detections.")
+      .def_readonly("cost", &Match::cost, "The smaller, the better.")
+      .def_readonly("assigned", &Match::assigned, "Chosen by the assignment.");
+}
+
+}  // namespace
+
+void bind_values(py::module_& module) {
+  bind_box(module);
+  bind_detection(module);
+  bind_track(module);
+  bind_event(module);
+  bind_expectation(module);
+}
+
+}  // namespace survtrack::bindings

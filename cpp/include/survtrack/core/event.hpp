@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "survtrack/core/geometry.hpp"
+
+namespace survtrack {
+
+/// What happened.
+enum class EventKind : std::uint8_t {
+  track_started,    ///< a track was confirmed: its first reported frame
+  track_lost,       ///< a confirmed track found no detection and is predicted from here on
+  track_recovered,  ///< a lost track found a detection again
+  track_ended,      ///< a confirmed track was closed; its id is never used again
+  scene_changed,    ///< the whole scene changed (light, camera): the background starts anew
+};
+
+/// Name of a kind, as written to files: "track_started", ...
+const char* to_string(EventKind kind);
+
+/// Something that happened in one frame.
+struct Event {
+  EventKind kind = EventKind::track_started;
+  std::int64_t index = 0;        ///< the frame's index in its source
+  double time_s = 0.0;
+  std::int64_t track_id = 0;     ///< 0: concerns no track
+  std::vector<std::int64_t> other_track_ids;
+  Point position;                ///< px, last position known
+  Box box;                       ///< last box known
+  Symmetric2 position_covariance_px2;
+  std::string text;              ///< one readable sentence
+};
+
+}  // namespace survtrack

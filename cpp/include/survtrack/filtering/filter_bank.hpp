@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "survtrack/core/geometry.hpp"
+#include "survtrack/filtering/options.hpp"
+
+namespace survtrack {
+
+/// Where a filter believes its object to be. Times in the config's time unit.
+struct Estimate {
+  Point position;              ///< px
+  Point velocity;              ///< px per time unit
+  Symmetric2 covariance_px2;   ///< of the position; zero for filters without one
+};
+
+/// The filters of all tracks, one slot a track in order of birth. All slots are predicted together to the
+/// time of the coming frame; then those with a measurement are corrected, the others missed.
+class FilterBank {
+ public:
+  virtual ~FilterBank() = default;
+
+  virtual int size() const = 0;
+  /// Starts a filter at a measured position; returns its slot, size() - 1. `object_size_px` (root of the box
+  /// area) is the unit of noises that are relative to the object's size.
+  virtual int add(const Point& position, double object_size_px) = 0;
+  /// Ends a filter; later slots move down by one.
+  virtual void remove(int slot) = 0;
+  virtual void clear() = 0;
+
+  /// Moves all filters on by `dt` time units (above 0).
+  virtual void predict(double dt) = 0;
+  /// Corrects one filter by its measurement, whose variances are larger than usual by `extra_px2`.
+  virtual void correct(int slot, const Point& measured, const Symmetric2& extra_px2) = 0;
+  void correct(int slot, const Point& measured) { correct(slot, measured, Symmetric2{}); }
+  virtual void set_object_size(int slot, double object_size_px) = 0;
+
+  /// What is believed now: after `correct` with the measurement, otherwise without it.
+  virtual Estimate estimate(int slot) const = 0;
+  /// Where, after `predict`, the measurement is expected. The same as the estimate, but for filters that leave
+  /// an unmatched track where it was.
+  virtual Point predicted_position(int slot) const { return estimate(slot).position; }
+  /// Covariance S of the innovation: of the measured minus the predicted position, in px^2.
+  virtual Symmetric2 innovation_covariance_px2(int slot, const Symmetric2& extra_px2) const = 0;
+  Symmetric2 innovation_covariance_px2(int slot) const { return innovation_covariance_px2(slot, Symmetric2{}); }
+
+  /// The raw state, and its covariance row by row (empty for filters without one).
+  virtual Eigen::VectorXd state(int slot) const = 0;
+  virtual Eigen::MatrixXd state_covariance(int slot) const = 0;
+};
+
+std::unique_ptr<FilterBank> make_filter_bank(const FilterOptions& options);
+
+}  // namespace survtrack

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <array>
+#include <utility>
+#include <variant>
+
+#include "survtrack/core/fields.hpp"
+
+namespace survtrack {
+
+/// What noises are measured in.
+enum class NoiseUnit {
+  object_size,  ///< the root of the object's box area: near and far objects are treated alike
+  px,
+};
+constexpr auto enum_names(NoiseUnit) {
+  return std::array{std::pair{"object_size", NoiseUnit::object_size}, std::pair{"px", NoiseUnit::px}};
+}
+
+/// Kalman filter with constant velocity. Lengths in `noise_unit`, times in the config's `time_unit_s`.
+struct KalmanCvOptions {
+  static constexpr const char* model = "kalman_cv";
+  static constexpr const char* meaning = "Kalman filter, constant velocity";
+
+  NoiseUnit noise_unit = NoiseUnit::object_size;
+  double velocity_noise = 0.75;
+  double position_noise = 0.06;
+  double initial_velocity = 1.0;
+  double lost_damping_time = 2.0;
+
+  static constexpr auto fields() {
+    using O = KalmanCvOptions;
+    return std::make_tuple(
+        field("noise_unit", &O::noise_unit, "", "the length that noises are measured in"),
+        field("velocity_noise", &O::velocity_noise, "length/unit",
+              "standard deviation of the velocity gained or lost in one time unit (root of Q's density)", above(0)),
+        field("position_noise", &O::position_noise, "length", "standard deviation of a measured position (root of R)",
+              above(0)),
+        field("initial_velocity", &O::initial_velocity, "length/unit", "standard deviation of a new track's velocity",
+              at_least(0)),
+        field("lost_damping_time", &O::lost_damping_time, "unit",
+              "the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall", at_least(0)));
+  }
+};
+
+/// Kalman filter with constant acceleration. Lengths in `noise_unit`, times in the config's `time_unit_s`.
+struct KalmanCaOptions {
+  static constexpr const char* model = "kalman_ca";
+  static constexpr const char* meaning = "Kalman filter, constant acceleration";
+
+  NoiseUnit noise_unit = NoiseUnit::object_size;
+  double acceleration_noise = 0.4;
+  double position_noise = 0.06;
+  double initial_velocity = 1.0;
+  double initial_acceleration = 0.5;
+
+  static constexpr auto fields() {
+    using O = KalmanCaOptions;
+    return std::make_tuple(
+        field("noise_unit", &O::noise_unit, "", "the length that noises are measured in"),
+        field("acceleration_noise", &O::acceleration_noise, "length/unit^2",
+              "standard deviation of the acceleration gained or lost in one time unit (root of Q's density)", above(0)),
+        field("position_noise", &O::position_noise, "length", "standard deviation of a measured position (root of R)",
+              above(0)),
+        field("initial_velocity", &O::initial_velocity, "length/unit", "standard deviation of a new track's velocity",
+              at_least(0)),
+        field("initial_acceleration", &O::initial_acceleration, "length/unit^2",
+              "standard deviation of a new track's acceleration", at_least(0)));
+  }
+};
+
+/// Narayana 2007, 3.4: the position is the one measured, the velocity the mean displacement over the last
+/// steps, the prediction their sum. All change on a match only.
+struct MeanVelocityOptions {
+  static constexpr const char* model = "mean_velocity";
+  static constexpr const char* meaning = "mean displacement over the last steps (Narayana 2007, 3.4)";
+
+  int window_steps = 5;
+  bool extrapolate_lost = false;
+
+  static constexpr auto fields() {
+    using O = MeanVelocityOptions;
+    return std::make_tuple(
+        field("window_steps", &O::window_steps, "steps", "steps of the mean", between(1, 1000)),
+        field("extrapolate_lost", &O::extrapolate_lost, "",
+              "a lost track moves on with its velocity; published: it stays frozen"));
+  }
+};
+
+using FilterOptions = std::variant<KalmanCvOptions, KalmanCaOptions, MeanVelocityOptions>;
+
+}  // namespace survtrack

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "survtrack/blobs/blob_extractor.hpp"
+#include "survtrack/core/detection.hpp"
+#include "survtrack/core/expectation.hpp"
+#include "survtrack/pipeline/config.hpp"
+#include "survtrack/segmentation/cleanup.hpp"
+#include "survtrack/segmentation/segmenter.hpp"
+
+namespace survtrack {
+
+/// A frame with its place in the source.
+struct TimedFrame {
+  cv::Mat image;
+  std::int64_t index = 0;
+  double time_s = 0.0;
+};
+
+/// The first half: frame in, detections out (segmentation, cleanup, blobs). Usable alone, with detections
+/// going to another tracker. Options used: `segmenter`, `cleanup`, `blobs`, `outputs`.
+class Detector {
+ public:
+  /// Throws `ConfigError`.
+  explicit Detector(const Config& config = {});
+
+  /// Frames by which detections come late: the background model's look-ahead.
+  int delay_frames() const { return segmenter_->delay_frames(); }
+
+  /// Frame in, detections out; nothing while a delayed model fills. `image`: HxW or HxWx3 (BGR) uint8,
+  /// all of one size; `time_s` increases; `index` increases and counts on from the last by default.
+  /// Throws `InputError` and then keeps its state.
+  /// `keep`: places that the background must not learn in the frame that is due.
+  std::optional<Detections> process(const cv::Mat& image, double time_s, std::optional<std::int64_t> index = {},
+                                    const std::vector<Box>& keep = {});
+
+  /// The rest of a delayed model, in order. After it only `reset` is allowed.
+  std::vector<Detections> finish();
+
+  /// Forgets everything; options stay.
+  void reset();
+
+  /// The steps of `process`, for loops that feed an expectation back: queue a frame (true when one is due),
+  /// look at the one due, and detect in it, reusing the memory of `detections`.
+  bool push(const cv::Mat& image, double time_s, std::optional<std::int64_t> index = {});
+  void end_of_source() { ended_ = true; }
+  bool due() const;
+  /// Throws `InputError` when none is due.
+  const TimedFrame& next() const;
+  /// The expectation is for the time of `next()`. Throws `InputError` when it is not, or when it names regions
+  /// and the background model reads whole frames.
+  void detect(const Expectation& expectation, Detections& detections);
+
+ private:
+  OutputOptions outputs_;
+  std::unique_ptr<Segmenter> segmenter_;
+  Cleanup cleanup_;
+  BlobExtractor blobs_;
+  std::deque<TimedFrame> queue_;
+  cv::Size size_;
+  int channels_ = 0;
+  std::int64_t last_index_ = -1;
+  std::optional<double> last_time_s_;
+  bool ended_ = false;
+};
+
+}  // namespace survtrack

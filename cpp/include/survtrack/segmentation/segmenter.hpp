@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "survtrack/core/event.hpp"
+#include "survtrack/core/expectation.hpp"
+#include "survtrack/segmentation/options.hpp"
+
+namespace survtrack {
+
+/// A background model: frame in, foreground mask out. All frames of one run have one size and
+/// channel count; `push` and `segment` are called by `Detector`, which has checked them.
+class Segmenter {
+ public:
+  virtual ~Segmenter() = default;
+
+  /// Frames that must be pushed beyond the one that is segmented.
+  virtual int delay_frames() const { return 0; }
+
+  /// Shows the model the newest frame, ahead of `segment` by `delay_frames()`, fewer at the end.
+  virtual void push(const cv::Mat& frame) { static_cast<void>(frame); }
+
+  /// Segments `frame` (the oldest one pushed and not yet segmented) into `mask` (CV_8UC1, 0 or 255,
+  /// reallocated only when its size differs) and learns from it. The input is left alone.
+  virtual void segment(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
+                       std::vector<Event>& events) = 0;
+
+  /// The background picture as known after the last `segment`, of the frame's size; CV_8UC1 or CV_8UC3.
+  /// Empty before the first.
+  virtual void background(cv::Mat& picture) const = 0;
+
+  /// Forgets everything: the next frame is a first frame.
+  virtual void reset() = 0;
+};
+
+/// Throws `ConfigError` for options out of their ranges.
+std::unique_ptr<Segmenter> make_segmenter(const SegmenterOptions& options);
+
+}  // namespace survtrack

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <vector>
+
+#include "survtrack/association/assign.hpp"
+#include "survtrack/association/costs.hpp"
+#include "survtrack/association/options.hpp"
+#include "survtrack/core/detection.hpp"
+#include "survtrack/core/matches.hpp"
+#include "survtrack/tracking/track_table.hpp"
+
+namespace survtrack {
+
+/// Who is who: fills the matrix of costs, tracks by detections, and assigns.
+class Matcher {
+ public:
+  Matcher(const CostOptions& cost, const AssignmentOptions& assignment) : cost_(cost), assignment_(assignment) {}
+
+  /// Reuses the memory of `matches`.
+  void match(const TrackTable& table, const Detections& detections, Matches& matches);
+
+  /// The matrix of the last `match`.
+  const CostMatrix& costs() const { return costs_; }
+
+ private:
+  Assignment assign_rows(const TrackTable& table);
+  void assign_rest(Assignment& assignment);
+
+  CostOptions cost_;
+  AssignmentOptions assignment_;
+  CostMatrix costs_;
+  CostMatrix part_;           ///< the rows and columns of one of two rounds
+  std::vector<int> rows_;
+  std::vector<int> columns_;
+};
+
+}  // namespace survtrack

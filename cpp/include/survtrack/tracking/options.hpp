@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <variant>
+
+#include "survtrack/core/fields.hpp"
+
+namespace survtrack {
+
+/// A track's position is the detection's centroid and its box the detection's box (Narayana 2007, 3.4).
+struct CentroidOptions {
+  static constexpr const char* model = "centroid";
+  static constexpr const char* meaning = "the centroid of the blob; its box as it is (Narayana 2007, 3.4)";
+  static constexpr auto fields() { return std::make_tuple(); }
+};
+
+/// A track's position is the centre of its box, whose size is a running mean. In a share of a blob that several
+/// tracks cover, edges may be hidden: the one that fits the prediction better counts.
+struct BoxCenterOptions {
+  static constexpr const char* model = "box_center";
+  static constexpr const char* meaning = "the centre of the box; its size is a running mean, hidden edges are inferred";
+
+  double size_time_s = 0.5;
+  double shared_size_gain = 0.25;
+  double hidden_below = 0.85;
+
+  static constexpr auto fields() {
+    using O = BoxCenterOptions;
+    return std::make_tuple(
+        field("size_time_s", &O::size_time_s, "s", "time constant of the mean of width and height", above_up_to(0, 1e6)),
+        field("shared_size_gain", &O::shared_size_gain, "", "weight of a share's size in that mean", between(0, 1)),
+        field("hidden_below", &O::hidden_below, "",
+              "a share's side that is shorter than this part of the track's is partly hidden", between(0, 1)));
+  }
+};
+
+using MeasurementOptions = std::variant<BoxCenterOptions, CentroidOptions>;
+
+/// The default lifecycle: a track is believed after some matches and some time, is predicted while it is
+/// lost, and closed when it was lost for too long or left the frame.
+struct ConfirmAndLoseOptions {
+  static constexpr const char* model = "confirm_and_lose";
+  static constexpr const char* meaning = "confirmed after some matches, predicted while lost, closed after a time";
+
+  int confirm_matches = 3;
+  double confirm_s = 0.4;
+  double confirm_travel = 0.3;
+  double report_lost_s = 0.5;
+  double max_lost_s = 2.5;
+  double birth_overlap = 0.5;
+
+  static constexpr auto fields() {
+    using O = ConfirmAndLoseOptions;
+    return std::make_tuple(
+        field("confirm_matches", &O::confirm_matches, "frames", "matches in a row before a track is believed",
+              between(1, 1e6)),
+        field("confirm_s", &O::confirm_s, "s", "age before a track is believed", between(0, 1e6)),
+        field("confirm_travel", &O::confirm_travel, "object sizes",
+              "distance from its first place before a track is believed; what does not travel is no object",
+              between(0, 1e6)),
+        field("report_lost_s", &O::report_lost_s, "s", "a lost track is reported, at its prediction, for so long",
+              between(0, 1e6)),
+        field("max_lost_s", &O::max_lost_s, "s", "a track lost for longer is closed", between(0, 1e6)),
+        field("birth_overlap", &O::birth_overlap, "",
+              "a detection that lies in a matched track's box by more than this part of its area starts no track",
+              between(0, 1)));
+  }
+};
+
+/// Narayana 2007, 3.5.4: every blob without a track starts one, a track lost for more than L frames is deleted.
+struct LostCountOptions {
+  static constexpr const char* model = "lost_count";
+  static constexpr const char* meaning = "a track a blob at once; deleted after more than L misses (Narayana 2007, 3.5.4)";
+
+  int lost_after_frames = 5;
+
+  static constexpr auto fields() {
+    using O = LostCountOptions;
+    return std::make_tuple(field("lost_after_frames", &O::lost_after_frames, "frames",
+                                 "L: the next miss in a row closes a track", between(0, 1e6)));
+  }
+};
+
+using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions>;
+
+}  // namespace survtrack

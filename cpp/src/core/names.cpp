@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "survtrack/core/event.hpp"
+#include "survtrack/core/track.hpp"
+
+namespace survtrack {
+
+const char* to_string(EventKind kind) {
+  switch (kind) {
+    case EventKind::track_started: return "track_started";
+    case EventKind::track_lost: return "track_lost";
+    case EventKind::track_recovered: return "track_recovered";
+    case EventKind::track_ended: return "track_ended";
+    case EventKind::scene_changed: return "scene_changed";
+  }
+  return "";
+}
+
+const char* to_string(TrackStatus status) {
+  switch (status) {
+    case TrackStatus::tentative: return "tentative";
+    case TrackStatus::confirmed: return "confirmed";
+    case TrackStatus::lost: return "lost";
+    case TrackStatus::closed: return "closed";
+  }
+  return "";
+}
+
+}  // namespace survtrack

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "survtrack/segmentation/segmenter.hpp"
+
+#include "segmentation/moving_average.hpp"
+#include "segmentation/opencv_segmenters.hpp"
+#include "segmentation/selective.hpp"
+
+namespace survtrack {
+
+// Each model's own header declares a make_model for its options.
+std::unique_ptr<Segmenter> make_segmenter(const SegmenterOptions& options) {
+  return std::visit([](const auto& model) { return make_model(model); }, options);
+}
+
+}  // namespace survtrack

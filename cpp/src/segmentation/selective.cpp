@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "segmentation/selective.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "segmentation/pixel_rect.hpp"
+#include "segmentation/selective_kernels.hpp"
+#include "survtrack/core/checks.hpp"
+
+namespace survtrack {
+namespace {
+
+using kernels::SelectiveRow;
+using kernels::SelectiveStep;
+
+constexpr double most_ms = 65535.0;
+// Smaller movements would be lost in the fraction bits: with this one a mean comes within half a grey
+// level of a steady frame. Faster cameras and slower backgrounds learn from every other frame, or fewer.
+constexpr int least_rate_q15 = 256;
+// Young backgrounds absorb sooner: what the first frame held by chance leaves within seconds.
+constexpr double least_absorb_s = 0.5;
+constexpr double absorb_part_of_age = 0.5;
+
+int in_q(int bits, double value) { return static_cast<int>(std::lround(std::ldexp(value, bits))); }
+
+class SelectiveSegmenter final : public Segmenter {
+ public:
+  explicit SelectiveSegmenter(const SelectiveOptions& options) : options_(options) {}
+
+  void segment(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
+               std::vector<Event>& events) override {
+    check_image(frame);
+    if (channels_ != 0) check_same_format(frame, size_, channels_);
+    check_time(expectation.time_s, channels_ != 0 ? previous_s_ : -std::numeric_limits<double>::infinity());
+    if (frame.channels() == 3) {
+      segment_channels<3>(frame, expectation, mask, events);
+    } else {
+      segment_channels<1>(frame, expectation, mask, events);
+    }
+    previous_s_ = expectation.time_s;
+  }
+
+  void background(cv::Mat& picture) const override {
+    if (channels_ == 0) {
+      picture.release();
+      return;
+    }
+    picture.create(size_, CV_8UC(channels_));
+    for (int y = 0; y < size_.height; ++y) {
+      const std::int16_t* const levels = levels_.data() + offset(y, channels_ + 1);
+      auto* const pixels = picture.ptr<std::uint8_t>(y);
+      for (int x = 0; x < size_.width; ++x) {
+        for (int c = 0; c < channels_; ++c) {
+          pixels[x * channels_ + c] = static_cast<std::uint8_t>(kernels::rounded_level(levels[c * size_.width + x]));
+        }
+      }
+    }
+  }
+
+  void reset() override { channels_ = 0; }
+
+ private:
+  template <int channels>
+  void segment_channels(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
+                        std::vector<Event>& events) {
+    mask.create(frame.size(), CV_8UC1);
+    if (channels_ == 0) {
+      allocate(frame.size(), channels);
+      start<channels>(frame, expectation.time_s, mask);
+      return;
+    }
+    find_kept(expectation.keep);
+    const double differing = step<channels>(frame, step_to(expectation.time_s), mask);
+    const double part = differing / (static_cast<double>(size_.width) * size_.height);
+    if (part <= options_.scene_change_fraction) return;
+    start<channels>(frame, expectation.time_s, mask);
+    Event& event = events.emplace_back();
+    event.kind = EventKind::scene_changed;
+    event.text = "The scene changed: " + std::to_string(std::lround(100.0 * part)) +
+                 " % of the frame differ from the background, which starts anew from this frame.";
+  }
+
+  void allocate(const cv::Size& size, int channels) {
+    size_ = size;
+    channels_ = channels;
+    const auto area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const auto planes = static_cast<std::size_t>(channels);
+    levels_.resize(area * (planes + 1));
+    candidates_.resize(area * planes);
+    ages_ms_.resize(area);
+    colors_.resize(channels == 3 ? planes * static_cast<std::size_t>(size.width) : 0);
+  }
+
+  template <int channels>
+  void start(const cv::Mat& frame, double time_s, cv::Mat& mask) {
+    start_s_ = time_s;
+    unlearned_s_ = 0.0;
+    for (int y = 0; y < size_.height; ++y) kernels::selective_start(row<channels>(frame, mask, y));
+  }
+
+  /// Returns how many pixels differ from the background.
+  template <int channels>
+  double step(const cv::Mat& frame, SelectiveStep step, cv::Mat& mask) {
+    std::size_t differing = 0;
+    for (int y = 0; y < size_.height; ++y) {
+      const SelectiveRow<channels> whole = row<channels>(frame, mask, y);
+      for (int x = 0; x < size_.width;) {
+        const Stretch stretch = stretch_at(x, y);
+        step.learn = !stretch.kept;
+        const auto count = static_cast<std::size_t>(stretch.end - x);
+        differing += kernels::selective_step(whole.part(static_cast<std::size_t>(x), count), step);
+        x = stretch.end;
+      }
+    }
+    return static_cast<double>(differing);
+  }
+
+  /// The constants of the frame at `time_s`, which is later than the one before.
+  SelectiveStep step_to(double time_s) {
+    const double age_s = time_s - start_s_;
+    unlearned_s_ += time_s - previous_s_;
+    // At first the plain mean of what was seen, in that every moment weighs the same.
+    const double rate = unlearned_s_ / std::min(options_.update_time_s, std::max(age_s, unlearned_s_));
+    int rate_q15 = in_q(15, std::min(rate, 32767.0 / 32768.0));
+    if (rate_q15 < least_rate_q15) {
+      rate_q15 = 0;
+    } else {
+      unlearned_s_ = 0.0;
+    }
+    // From times since the start, so that rounding does not add up.
+    const double elapsed_ms = std::round(1000.0 * age_s) - std::round(1000.0 * (previous_s_ - start_s_));
+    const double absorb_s = std::min(options_.absorb_time_s, std::max(absorb_part_of_age * age_s, least_absorb_s));
+    return {
+        .rate_q15 = rate_q15,
+        .tolerance = static_cast<int>(options_.threshold),
+        .noise_gain_q9 = in_q(9, options_.noise_gain),
+        .elapsed_ms = static_cast<int>(std::min(elapsed_ms, most_ms)),
+        .absorb_ms = static_cast<int>(std::min(1000.0 * absorb_s, most_ms)),
+        .learn = true,
+        .remove_shadows = options_.remove_shadows,
+        .shadow_darkest_q15 = static_cast<int>(std::ldexp(options_.shadow_darkest, 15)),
+        .shadow_tolerance = static_cast<int>(options_.shadow_color_tolerance),
+    };
+  }
+
+  /// Where row y begins in a vector that holds `arrays` numbers a pixel.
+  std::size_t offset(int y, int arrays) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(arrays) * static_cast<std::size_t>(size_.width);
+  }
+
+  /// Row y of the frame, its colours taken apart into `colors_`, and what is known of it.
+  template <int channels>
+  SelectiveRow<channels> row(const cv::Mat& frame, cv::Mat& mask, int y) {
+    const int width = size_.width;
+    const auto* pixels = frame.ptr<std::uint8_t>(y);
+    if constexpr (channels == 3) {
+      std::uint8_t* const colors = colors_.data();
+      kernels::split_colors(pixels, colors, colors + width, colors + 2 * width, static_cast<std::size_t>(width));
+      pixels = colors;
+    }
+    std::int16_t* const levels = levels_.data() + offset(y, channels + 1);
+    std::uint8_t* const candidate = candidates_.data() + offset(y, channels);
+    SelectiveRow<channels> row;
+    for (int c = 0; c < channels; ++c) {
+      row.frame[c] = pixels + c * width;
+      row.background[c] = levels + c * width;
+      row.candidate[c] = candidate + c * width;
+    }
+    row.deviation = levels + channels * width;
+    row.age_ms = ages_ms_.data() + offset(y, 1);
+    row.mask = mask.ptr<std::uint8_t>(y);
+    row.count = static_cast<std::size_t>(width);
+    return row;
+  }
+
+  void find_kept(const std::vector<Box>& places) {
+    kept_.clear();
+    for (const Box& place : places) {
+      const cv::Rect rect = pixel_rect(place, size_);
+      if (!rect.empty()) kept_.push_back(rect);
+    }
+  }
+
+  /// Pixels of one row up to `end` that are all learned or all kept.
+  struct Stretch {
+    int end;
+    bool kept;
+  };
+
+  Stretch stretch_at(int x, int y) const {
+    Stretch stretch{size_.width, false};
+    for (const cv::Rect& rect : kept_) {
+      const int right = rect.x + rect.width;
+      if (y < rect.y || y >= rect.y + rect.height || x >= right) continue;
+      if (x < rect.x) {
+        if (!stretch.kept) stretch.end = std::min(stretch.end, rect.x);
+      } else {
+        stretch = {stretch.kept ? std::max(stretch.end, right) : right, true};
+      }
+    }
+    return stretch;
+  }
+
+  SelectiveOptions options_;
+  cv::Size size_;
+  int channels_ = 0;  ///< 0: no frame yet
+  double start_s_ = 0.0;
+  double previous_s_ = 0.0;
+  double unlearned_s_ = 0.0;              ///< time whose movement was too small to make
+  std::vector<std::int16_t> levels_;      ///< for each row: background by channel, deviation
+  std::vector<std::uint8_t> candidates_;  ///< for each row: by channel
+  std::vector<std::uint16_t> ages_ms_;
+  std::vector<std::uint8_t> colors_;      ///< one row of the frame: blue, green, red
+  std::vector<cv::Rect> kept_;
+};
+
+}  // namespace
+
+std::unique_ptr<Segmenter> make_model(const SelectiveOptions& options) {
+  check_fields(options);
+  return std::make_unique<SelectiveSegmenter>(options);
+}
+
+}  // namespace survtrack

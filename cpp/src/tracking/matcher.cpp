@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "survtrack/tracking/matcher.hpp"
+
+#include <cmath>
+
+namespace survtrack {
+namespace {
+
+struct FillCosts {
+  const TrackTable& table;
+  const Detections& detections;
+  CostMatrix& costs;
+
+  template <class Cost>
+  void each(const Cost& cost) const {
+    for (int r = 0; r < costs.rows(); ++r) {
+      for (int c = 0; c < costs.columns(); ++c) {
+        costs(r, c) = cost(r, detections.items[static_cast<std::size_t>(c)]);
+      }
+    }
+  }
+
+  void operator()(const GaussianCostOptions& o) const {
+    each([&](int r, const Detection& d) {
+      const OpenTrack& row = table.row(r);
+      const Observation seen = table.observe(r, d);
+      const Innovation innovation{seen.position - table.predicted_position(r),
+                                  table.innovation_covariance_px2(r, seen.extra_px2)};
+      return gaussian_cost(o, innovation, row.width_px * row.height_px);
+    });
+  }
+
+  void operator()(const MatchMatrixOptions& o) const {
+    // A tracker on boxes alone may not know the frame: distances then count in px.
+    const double width = detections.frame_width > 0 ? detections.frame_width : 1.0;
+    const double height = detections.frame_height > 0 ? detections.frame_height : 1.0;
+    each([&](int r, const Detection& d) {
+      const double cost = match_matrix_entry(table.row(r).track, d, width, height);
+      return o.max_match > 0.0 && cost > o.max_match ? CostMatrix::gated : cost;
+    });
+  }
+};
+
+}  // namespace
+
+void Matcher::match(const TrackTable& table, const Detections& detections, Matches& matches) {
+  const int rows = table.size();
+  const auto columns = static_cast<int>(detections.items.size());
+  costs_.resize(rows, columns);
+  std::visit(FillCosts{table, detections, costs_}, cost_);
+  matches.detection_of_track = assign_rows(table);
+  matches.track_of_detection.assign(static_cast<std::size_t>(columns), -1);
+  matches.candidates.clear();
+  for (int r = 0; r < rows; ++r) {
+    const int chosen = matches.detection_of_track[static_cast<std::size_t>(r)];
+    if (chosen >= 0) matches.track_of_detection[static_cast<std::size_t>(chosen)] = r;
+    for (int c = 0; c < columns; ++c) {
+      if (std::isinf(costs_(r, c))) continue;
+      matches.candidates.push_back({r, c, table.row(r).track.id, costs_(r, c), c == chosen});
+    }
+  }
+}
+
+Assignment Matcher::assign_rows(const TrackTable& table) {
+  const auto* hungarian = std::get_if<HungarianOptions>(&assignment_);
+  if (hungarian == nullptr || !hungarian->confirmed_first) return assign(assignment_, costs_);
+  Assignment assignment(static_cast<std::size_t>(costs_.rows()), -1);
+  for (const bool believed : {true, false}) {
+    rows_.clear();
+    for (int r = 0; r < costs_.rows(); ++r) {
+      if (table.row(r).believed() == believed) rows_.push_back(r);
+    }
+    assign_rest(assignment);
+  }
+  return assignment;
+}
+
+/// Assigns `rows_` to the columns that `assignment` has left.
+void Matcher::assign_rest(Assignment& assignment) {
+  std::vector<char> taken(static_cast<std::size_t>(costs_.columns()), char{0});
+  for (const int c : assignment) {
+    if (c >= 0) taken[static_cast<std::size_t>(c)] = 1;
+  }
+  columns_.clear();
+  for (int c = 0; c < costs_.columns(); ++c) {
+    if (!taken[static_cast<std::size_t>(c)]) columns_.push_back(c);
+  }
+  part_.resize(static_cast<int>(rows_.size()), static_cast<int>(columns_.size()));
+  for (int r = 0; r < part_.rows(); ++r) {
+    const int row = rows_[static_cast<std::size_t>(r)];
+    for (int c = 0; c < part_.columns(); ++c) part_(r, c) = costs_(row, columns_[static_cast<std::size_t>(c)]);
+  }
+  const Assignment more = assign_hungarian(part_);
+  for (std::size_t r = 0; r < more.size(); ++r) {
+    if (more[r] >= 0) assignment[static_cast<std::size_t>(rows_[r])] = columns_[static_cast<std::size_t>(more[r])];
+  }
+}
+
+}  // namespace survtrack

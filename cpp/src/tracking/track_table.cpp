@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "survtrack/tracking/track_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace survtrack {
+namespace {
+
+/// Of two objects nearer than this part of their sides together, neither says something about the scene's scale.
+constexpr double group_margin = 0.6;
+/// What moves slower, in object sizes per second, says nothing about the scene's scale: it may be a ghost.
+constexpr double scale_min_speed = 0.2;
+
+bool touches_border(const Box& box, const Detections& frame) {
+  return box.x <= 1.0 || box.y <= 1.0 || box.right() >= frame.frame_width - 1.0 ||
+         box.bottom() >= frame.frame_height - 1.0;
+}
+
+}  // namespace
+
+TrackTable::TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, double time_unit_s)
+    : measurement_(measurement), filters_(make_filter_bank(filter)), time_unit_s_(time_unit_s) {}
+
+void TrackTable::predict(double time_s) {
+  dt_s_ = started_ ? time_s - time_s_ : 0.0;
+  time_s_ = time_s;
+  started_ = true;
+  if (dt_s_ > 0.0) filters_->predict(dt_s_ / time_unit_s_);
+  for (int i = 0; i < size(); ++i) {
+    OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+    row.track.predicted_position = filters_->predicted_position(i);
+    row.track.detection = -1;
+  }
+  find_groups();
+}
+
+void TrackTable::find_groups() {
+  for (OpenTrack& row : rows_) row.grouped = false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (std::size_t j = i + 1; j < rows_.size(); ++j) {
+      OpenTrack& a = rows_[i];
+      OpenTrack& b = rows_[j];
+      if (!a.believed() || !b.believed()) continue;
+      const Point d = a.track.predicted_position - b.track.predicted_position;
+      if (std::abs(d.x) < group_margin * (a.width_px + b.width_px) &&
+          std::abs(d.y) < group_margin * (a.height_px + b.height_px)) {
+        a.grouped = b.grouped = true;
+      }
+    }
+  }
+}
+
+Observation TrackTable::observe(int i, const Detection& detection) const {
+  return survtrack::observe(measurement_, row(i), predicted_position(i), detection);
+}
+
+void TrackTable::match(int i, int detection, const Detections& detections) {
+  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+  const Detection& seen = detections.items[static_cast<std::size_t>(detection)];
+  const Observation observation = observe(i, seen);
+  filters_->correct(i, observation.position, observation.extra_px2);
+  learn_size(measurement_, row, seen, dt_s_);
+  filters_->set_object_size(i, row.size_px());
+  Track& track = row.track;
+  track.detection = detection;
+  track.mean_color = seen.mean_color;
+  track.lost_frames = 0;
+  ++track.age_frames;
+  ++track.matched_frames;
+  track.end_index = detections.index;
+  track.end_time_s = detections.time_s;
+  refresh(i);
+  const Point from_start = track.position - row.start_position;
+  row.travelled_px = std::max(row.travelled_px, std::hypot(from_start.x, from_start.y));
+  const double speed = std::hypot(track.velocity_px_per_s.x, track.velocity_px_per_s.y);
+  const bool alone = !row.grouped && !seen.shared;
+  if (alone && row.believed() && detections.frame_height > 0 && speed > scale_min_speed * row.size_px() &&
+      !touches_border(seen.box, detections)) {
+    scale_.add(seen.box, detections.frame_height);
+  }
+}
+
+void TrackTable::miss(int i) {
+  Track& track = rows_[static_cast<std::size_t>(i)].track;
+  ++track.age_frames;
+  ++track.lost_frames;
+  refresh(i);
+}
+
+int TrackTable::start(int detection, const Detections& detections) {
+  const Detection& seen = detections.items[static_cast<std::size_t>(detection)];
+  OpenTrack row;
+  row.width_px = seen.box.width;
+  row.height_px = seen.box.height;
+  row.size_samples = 1;
+  row.start_position = row.seen_position = measured_position(measurement_, seen);
+  row.seen = seen.box;
+  row.track.predicted_position = row.start_position;
+  row.track.mean_color = seen.mean_color;
+  row.track.detection = detection;
+  row.track.matched_frames = 1;
+  row.track.start_index = row.track.end_index = detections.index;
+  row.track.start_time_s = row.track.end_time_s = detections.time_s;
+  filters_->add(row.start_position, row.size_px());
+  rows_.push_back(row);
+  refresh(size() - 1);
+  return size() - 1;
+}
+
+void TrackTable::believe(int i) {
+  Track& track = rows_[static_cast<std::size_t>(i)].track;
+  track.id = ++last_id_;
+  track.status = TrackStatus::confirmed;
+}
+
+void TrackTable::remove_closed() {
+  for (int i = size() - 1; i >= 0; --i) {
+    if (row(i).track.status != TrackStatus::closed) continue;
+    filters_->remove(i);
+    rows_.erase(rows_.begin() + i);
+  }
+}
+
+void TrackTable::clear() {
+  filters_->clear();
+  rows_.clear();
+  scale_.clear();
+  last_id_ = 0;
+  started_ = false;
+}
+
+void TrackTable::refresh(int i) {
+  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+  const Estimate now = filters_->estimate(i);
+  row.track.position = now.position;
+  row.track.velocity_px_per_s = (1.0 / time_unit_s_) * now.velocity;
+  row.track.position_covariance_px2 = now.covariance_px2;
+  row.track.box = box_at(measurement_, row, now.position);
+}
+
+}  // namespace survtrack

@@ -1,0 +1,1970 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+# Made by scripts/make_stubs.py from the compiled module; change cpp/bindings instead.
+"""
+The C++ core of survtrack.
+"""
+
+from __future__ import annotations
+
+import collections.abc
+import enum
+import typing
+
+import numpy
+import numpy.typing
+
+__all__: list[str] = [
+    "BlobOptions",
+    "Box",
+    "BoxCenterOptions",
+    "CentroidOptions",
+    "CleanupOptions",
+    "Config",
+    "ConfirmAndLoseOptions",
+    "Detection",
+    "Detections",
+    "Detector",
+    "Event",
+    "EventKind",
+    "Expectation",
+    "FilterBank",
+    "FrameResult",
+    "GaussianCostOptions",
+    "HungarianOptions",
+    "KalmanCaOptions",
+    "KalmanCvOptions",
+    "KnnOptions",
+    "LostCountOptions",
+    "Match",
+    "MatchMatrixOptions",
+    "MeanVelocityOptions",
+    "Mog2Options",
+    "MovingAverageOptions",
+    "OldestFirstOptions",
+    "OutputOptions",
+    "Pipeline",
+    "PredictedTrack",
+    "SceneScale",
+    "Segmenter",
+    "SelectiveOptions",
+    "Track",
+    "TrackStatus",
+    "Tracker",
+    "TrackingResult",
+    "assign_hungarian",
+    "assign_oldest_first",
+    "clean_mask",
+    "find_blobs",
+    "iou",
+    "match_matrix",
+    "options_reference",
+    "preset",
+    "preset_names",
+    "preset_text",
+]
+
+class Box:
+    """
+    An axis-parallel box: left and top edge and size, in px.
+    """
+    def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __init__(
+        self,
+        x: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.SupportsFloat | typing.SupportsIndex,
+        width: typing.SupportsFloat | typing.SupportsIndex,
+        height: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+    def __iter__(self) -> collections.abc.Iterator[float]: ...
+    def __repr__(self) -> str: ...
+    @property
+    def area_px(self) -> float:
+        """
+        px^2
+        """
+    @property
+    def bottom(self) -> float:
+        """
+        px
+        """
+    @property
+    def center(self) -> tuple[float, float]:
+        """
+        (x, y), px
+        """
+    @property
+    def height(self) -> float:
+        """
+        px
+        """
+    @property
+    def right(self) -> float:
+        """
+        px
+        """
+    @property
+    def width(self) -> float:
+        """
+        px
+        """
+    @property
+    def x(self) -> float:
+        """
+        Left edge, px.
+        """
+    @property
+    def y(self) -> float:
+        """
+        Top edge, px.
+        """
+
+class Detection:
+    """
+    Something seen in one frame: a blob, or a box of your own detector.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def area_px(self) -> float:
+        """
+        Number of foreground pixels; a box's area for own boxes.
+        """
+    @property
+    def box(self) -> Box:
+        """
+        px
+        """
+    @property
+    def class_id(self) -> int:
+        """
+        -1: no class.
+        """
+    @property
+    def confidence(self) -> float:
+        """
+        1 for blobs; your detector's score otherwise.
+        """
+    @property
+    def mean_color(self) -> tuple[float, float, float]:
+        """
+        (blue, green, red), 0 to 255; zero when there was no image.
+        """
+    @property
+    def moments_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2 second central moments over the pixels, px^2.
+        """
+    @property
+    def position(self) -> tuple[float, float]:
+        """
+        (x, y) in px: a blob's centroid over all its pixels, else the box centre.
+        """
+
+class TrackStatus(enum.Enum):
+    """
+    Where a track is in its life.
+    """
+
+    closed = 3
+    confirmed = 1
+    lost = 2
+    tentative = 0
+
+class Track:
+    """
+    One object followed through time, as known after one frame.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def age_frames(self) -> int:
+        """
+        Frames since its first detection, that one not counted.
+        """
+    @property
+    def box(self) -> Box:
+        """
+        Estimated box in this frame, px.
+        """
+    @property
+    def detection(self) -> int:
+        """
+        Index of this frame's matched detection; -1: none.
+        """
+    @property
+    def end_index(self) -> int:
+        """
+        Index of the frame of its last detection.
+        """
+    @property
+    def end_time_s(self) -> float: ...
+    @property
+    def id(self) -> int:
+        """
+        From 1, without gaps, never reused; 0 while tentative.
+        """
+    @property
+    def lost_frames(self) -> int:
+        """
+        Frames since its last detection.
+        """
+    @property
+    def matched_frames(self) -> int:
+        """
+        Frames with a detection, the first one counted.
+        """
+    @property
+    def mean_color(self) -> tuple[float, float, float]:
+        """
+        (blue, green, red) of the detection last matched.
+        """
+    @property
+    def position(self) -> tuple[float, float]:
+        """
+        (x, y), px
+        """
+    @property
+    def position_covariance_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2, px^2
+        """
+    @property
+    def predicted_position(self) -> tuple[float, float]:
+        """
+        (x, y) in px: where this frame's detection was expected.
+        """
+    @property
+    def reported(self) -> bool:
+        """
+        Part of the answer of this frame: written to files and drawn.
+        """
+    @property
+    def start_index(self) -> int:
+        """
+        Index of the frame of its first detection.
+        """
+    @property
+    def start_time_s(self) -> float: ...
+    @property
+    def status(self) -> TrackStatus: ...
+    @property
+    def velocity_px_per_s(self) -> tuple[float, float]:
+        """
+        (x, y)
+        """
+
+class EventKind(enum.Enum):
+    """
+    What happened.
+    """
+
+    scene_changed = 4
+    track_ended = 3
+    track_lost = 1
+    track_recovered = 2
+    track_started = 0
+
+class Event:
+    """
+    Something that happened in one frame.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def box(self) -> Box:
+        """
+        px
+        """
+    @property
+    def index(self) -> int:
+        """
+        The frame's index in its source.
+        """
+    @property
+    def kind(self) -> EventKind: ...
+    @property
+    def other_track_ids(self) -> list[int]: ...
+    @property
+    def position(self) -> tuple[float, float]:
+        """
+        (x, y), px
+        """
+    @property
+    def position_covariance_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2, px^2
+        """
+    @property
+    def text(self) -> str:
+        """
+        One readable sentence.
+        """
+    @property
+    def time_s(self) -> float: ...
+    @property
+    def track_id(self) -> int:
+        """
+        0: concerns no track.
+        """
+
+class PredictedTrack:
+    """
+    A track as the tracker expects to see it in the coming frame.
+    """
+    @property
+    def box(self) -> Box:
+        """
+        px
+        """
+    @property
+    def confirmed(self) -> bool: ...
+    @property
+    def id(self) -> int: ...
+    @property
+    def innovation_covariance_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2, px^2, of the measurement about its predicted position
+        """
+    @property
+    def lost_s(self) -> float:
+        """
+        Time since its last detection, at the coming frame.
+        """
+    @property
+    def position(self) -> tuple[float, float]:
+        """
+        (x, y), px
+        """
+    @property
+    def velocity_px_per_s(self) -> tuple[float, float]:
+        """
+        (x, y)
+        """
+
+class SceneScale:
+    """
+    How large an object should measure where its foot stands.
+    """
+    def height_px(self, bottom: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        Expected height in px of an object whose lower edge is at row `bottom`.
+        """
+    @property
+    def known(self) -> bool:
+        """
+        Enough was seen for the law to be used.
+        """
+
+class Expectation:
+    """
+    What the tracker expects of the coming frame.
+    """
+    @property
+    def keep(self) -> list[Box]:
+        """
+        Places that the background must not learn.
+        """
+    @property
+    def regions(self) -> list[Box]:
+        """
+        Where to look; empty: the whole frame.
+        """
+    @property
+    def scale(self) -> SceneScale:
+        """
+        How large objects are, where.
+        """
+    @property
+    def time_s(self) -> float: ...
+    @property
+    def tracks(self) -> list[PredictedTrack]: ...
+
+class Match:
+    """
+    A pair of track and detection that passed the gate.
+    """
+    @property
+    def assigned(self) -> bool:
+        """
+        Chosen by the assignment.
+        """
+    @property
+    def cost(self) -> float:
+        """
+        The smaller, the better.
+        """
+    @property
+    def detection(self) -> int:
+        """
+        Index among the frame's detections.
+        """
+    @property
+    def track(self) -> int:
+        """
+        Row among the tracks open before the frame.
+        """
+    @property
+    def track_id(self) -> int: ...
+
+class SelectiveOptions:
+    """
+    selective running average with a tolerance of its own for each pixel.
+
+    Args:
+        threshold: smallest tolerance: foreground differs by more in some channel [grey levels]; between 0 and 255
+        noise_gain: tolerance in mean absolute deviations of the pixel; between 0 and 16
+        update_time_s: time constant of background and deviation [s]; above 0 and at most 1000000
+        absorb_time_s: foreground of a steady colour becomes background after this [s]; above 0 and at most 60
+        remove_shadows: what is darker but of the background's colour is no foreground; colour frames only
+        shadow_darkest: a shadow keeps at least this part of the brightness; between 0 and 1
+        shadow_color_tolerance: a shadow's channels differ by no more from the darkened background [grey levels]; between 0 and 255
+        scene_change_fraction: more foreground than this part of the frame: the scene changed and the background starts anew; above 0 and at most 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "selective"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        threshold: float = 20.0,
+        noise_gain: float = 3.0,
+        update_time_s: float = 4.0,
+        absorb_time_s: float = 20.0,
+        remove_shadows: bool = True,
+        shadow_darkest: float = 0.7,
+        shadow_color_tolerance: float = 8.0,
+        scene_change_fraction: float = 0.6,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> SelectiveOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def absorb_time_s(self) -> float:
+        """
+        foreground of a steady colour becomes background after this [s]
+        """
+    @absorb_time_s.setter
+    def absorb_time_s(self, value: typing.Never) -> None: ...
+    @property
+    def noise_gain(self) -> float:
+        """
+        tolerance in mean absolute deviations of the pixel
+        """
+    @noise_gain.setter
+    def noise_gain(self, value: typing.Never) -> None: ...
+    @property
+    def remove_shadows(self) -> bool:
+        """
+        what is darker but of the background's colour is no foreground; colour frames only
+        """
+    @remove_shadows.setter
+    def remove_shadows(self, value: typing.Never) -> None: ...
+    @property
+    def scene_change_fraction(self) -> float:
+        """
+        more foreground than this part of the frame: the scene changed and the background starts anew
+        """
+    @scene_change_fraction.setter
+    def scene_change_fraction(self, value: typing.Never) -> None: ...
+    @property
+    def shadow_color_tolerance(self) -> float:
+        """
+        a shadow's channels differ by no more from the darkened background [grey levels]
+        """
+    @shadow_color_tolerance.setter
+    def shadow_color_tolerance(self, value: typing.Never) -> None: ...
+    @property
+    def shadow_darkest(self) -> float:
+        """
+        a shadow keeps at least this part of the brightness
+        """
+    @shadow_darkest.setter
+    def shadow_darkest(self, value: typing.Never) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """
+        smallest tolerance: foreground differs by more in some channel [grey levels]
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+    @property
+    def update_time_s(self) -> float:
+        """
+        time constant of background and deviation [s]
+        """
+    @update_time_s.setter
+    def update_time_s(self, value: typing.Never) -> None: ...
+
+class MovingAverageOptions:
+    """
+    mean of a window of frames, and a secondary background against tails (Narayana 2007, 3.1).
+
+    Args:
+        window: centred on the frame (delays by half the window) or causal; one of "centred" "causal"
+        window_frames: length N of the window (eq. 3.1) [frames]; between 1 and 10000
+        threshold: T1: foreground differs by more (eq. 3.2) [grey levels]; between 0 and 255
+        secondary_background: also compare with the level last seen as background (eq. 3.4)
+        secondary_threshold: T2 of that comparison (eq. 3.4) [grey levels]; between 0 and 255
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "moving_average"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        window: str = "centred",
+        window_frames: int = 150,
+        threshold: float = 10.0,
+        secondary_background: bool = True,
+        secondary_threshold: float = 15.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> MovingAverageOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def secondary_background(self) -> bool:
+        """
+        also compare with the level last seen as background (eq. 3.4)
+        """
+    @secondary_background.setter
+    def secondary_background(self, value: typing.Never) -> None: ...
+    @property
+    def secondary_threshold(self) -> float:
+        """
+        T2 of that comparison (eq. 3.4) [grey levels]
+        """
+    @secondary_threshold.setter
+    def secondary_threshold(self, value: typing.Never) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """
+        T1: foreground differs by more (eq. 3.2) [grey levels]
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+    @property
+    def window(self) -> str:
+        """
+        centred on the frame (delays by half the window) or causal
+        """
+    @window.setter
+    def window(self, value: typing.Never) -> None: ...
+    @property
+    def window_frames(self) -> int:
+        """
+        length N of the window (eq. 3.1) [frames]
+        """
+    @window_frames.setter
+    def window_frames(self, value: typing.Never) -> None: ...
+
+class Mog2Options:
+    """
+    OpenCV's Gaussian mixture MOG2, for comparison.
+
+    Args:
+        history_frames: length of the history [frames]; between 1 and 1000000
+        variance_threshold: squared Mahalanobis distance of background; above 0 and at most 1000000
+        detect_shadows: shadows are found and not counted as foreground
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "mog2"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        history_frames: int = 500,
+        variance_threshold: float = 16.0,
+        detect_shadows: bool = True,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> Mog2Options:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def detect_shadows(self) -> bool:
+        """
+        shadows are found and not counted as foreground
+        """
+    @detect_shadows.setter
+    def detect_shadows(self, value: typing.Never) -> None: ...
+    @property
+    def history_frames(self) -> int:
+        """
+        length of the history [frames]
+        """
+    @history_frames.setter
+    def history_frames(self, value: typing.Never) -> None: ...
+    @property
+    def variance_threshold(self) -> float:
+        """
+        squared Mahalanobis distance of background
+        """
+    @variance_threshold.setter
+    def variance_threshold(self, value: typing.Never) -> None: ...
+
+class KnnOptions:
+    """
+    OpenCV's K nearest neighbours, for comparison.
+
+    Args:
+        history_frames: length of the history [frames]; between 1 and 1000000
+        squared_distance_threshold: a sample nearer than this is a neighbour [grey levels^2]; above 0 and at most 1000000
+        detect_shadows: shadows are found and not counted as foreground
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "knn"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        history_frames: int = 500,
+        squared_distance_threshold: float = 400.0,
+        detect_shadows: bool = True,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> KnnOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def detect_shadows(self) -> bool:
+        """
+        shadows are found and not counted as foreground
+        """
+    @detect_shadows.setter
+    def detect_shadows(self, value: typing.Never) -> None: ...
+    @property
+    def history_frames(self) -> int:
+        """
+        length of the history [frames]
+        """
+    @history_frames.setter
+    def history_frames(self, value: typing.Never) -> None: ...
+    @property
+    def squared_distance_threshold(self) -> float:
+        """
+        a sample nearer than this is a neighbour [grey levels^2]
+        """
+    @squared_distance_threshold.setter
+    def squared_distance_threshold(self, value: typing.Never) -> None: ...
+
+class CleanupOptions:
+    """
+    Noise removal on the mask: median, opening, closing.
+
+    Args:
+        median_px: side of the median's square [px]; between 0 and 31, 0 or odd
+        open_px: side of the opening's square: removes what is thinner [px]; between 0 and 99, 0 or odd
+        close_px: side of the closing's square: joins over narrower gaps [px]; between 0 and 99, 0 or odd
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, median_px: int = 5, open_px: int = 0, close_px: int = 0) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> CleanupOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def close_px(self) -> int:
+        """
+        side of the closing's square: joins over narrower gaps [px]
+        """
+    @close_px.setter
+    def close_px(self, value: typing.Never) -> None: ...
+    @property
+    def median_px(self) -> int:
+        """
+        side of the median's square [px]
+        """
+    @median_px.setter
+    def median_px(self, value: typing.Never) -> None: ...
+    @property
+    def open_px(self) -> int:
+        """
+        side of the opening's square: removes what is thinner [px]
+        """
+    @open_px.setter
+    def open_px(self, value: typing.Never) -> None: ...
+
+class BlobOptions:
+    """
+    Which foreground regions count as detections.
+
+    Args:
+        min_area_px: smaller blobs are dropped (S of Narayana 2007, 3.3) [px^2]; at least 0
+        min_area_fraction: the same, as a part of the frame's area; the larger counts; between 0 and 1
+        merge_fragments: join fragments that stand above each other, up to an object's height
+        min_fragment_fraction: smaller fragments, as a part of the frame's area, are noise; between 0 and 1
+        merge_gap: widest gap between fragments that are joined [object heights]; between 0 and 10
+        share_blobs: divide a blob that covers several expected tracks among them
+        share_cover: a track is covered when more than this part of its expected box is; between 0 and 1
+        share_lost_s: tracks lost for longer get no share [s]; between 0 and 1000000
+        min_relative_height: unexpected blobs lower than this part of what the scene's scale says are dropped [object heights]; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        min_area_px: float = 0.0,
+        min_area_fraction: float = 0.0001,
+        merge_fragments: bool = True,
+        min_fragment_fraction: float = 2e-05,
+        merge_gap: float = 0.25,
+        share_blobs: bool = True,
+        share_cover: float = 0.5,
+        share_lost_s: float = 1.0,
+        min_relative_height: float = 0.5,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> BlobOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def merge_fragments(self) -> bool:
+        """
+        join fragments that stand above each other, up to an object's height
+        """
+    @merge_fragments.setter
+    def merge_fragments(self, value: typing.Never) -> None: ...
+    @property
+    def merge_gap(self) -> float:
+        """
+        widest gap between fragments that are joined [object heights]
+        """
+    @merge_gap.setter
+    def merge_gap(self, value: typing.Never) -> None: ...
+    @property
+    def min_area_fraction(self) -> float:
+        """
+        the same, as a part of the frame's area; the larger counts
+        """
+    @min_area_fraction.setter
+    def min_area_fraction(self, value: typing.Never) -> None: ...
+    @property
+    def min_area_px(self) -> float:
+        """
+        smaller blobs are dropped (S of Narayana 2007, 3.3) [px^2]
+        """
+    @min_area_px.setter
+    def min_area_px(self, value: typing.Never) -> None: ...
+    @property
+    def min_fragment_fraction(self) -> float:
+        """
+        smaller fragments, as a part of the frame's area, are noise
+        """
+    @min_fragment_fraction.setter
+    def min_fragment_fraction(self, value: typing.Never) -> None: ...
+    @property
+    def min_relative_height(self) -> float:
+        """
+        unexpected blobs lower than this part of what the scene's scale says are dropped [object heights]
+        """
+    @min_relative_height.setter
+    def min_relative_height(self, value: typing.Never) -> None: ...
+    @property
+    def share_blobs(self) -> bool:
+        """
+        divide a blob that covers several expected tracks among them
+        """
+    @share_blobs.setter
+    def share_blobs(self, value: typing.Never) -> None: ...
+    @property
+    def share_cover(self) -> float:
+        """
+        a track is covered when more than this part of its expected box is
+        """
+    @share_cover.setter
+    def share_cover(self, value: typing.Never) -> None: ...
+    @property
+    def share_lost_s(self) -> float:
+        """
+        tracks lost for longer get no share [s]
+        """
+    @share_lost_s.setter
+    def share_lost_s(self, value: typing.Never) -> None: ...
+
+class KalmanCvOptions:
+    """
+    Kalman filter, constant velocity.
+
+    Args:
+        noise_unit: the length that noises are measured in; one of "object_size" "px"
+        velocity_noise: standard deviation of the velocity gained or lost in one time unit (root of Q's density) [length/unit]; above 0
+        position_noise: standard deviation of a measured position (root of R) [length]; above 0
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; at least 0
+        lost_damping_time: the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]; at least 0
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "kalman_cv"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        noise_unit: str = "object_size",
+        velocity_noise: float = 0.4,
+        position_noise: float = 0.06,
+        initial_velocity: float = 1.0,
+        lost_damping_time: float = 2.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> KalmanCvOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def initial_velocity(self) -> float:
+        """
+        standard deviation of a new track's velocity [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def lost_damping_time(self) -> float:
+        """
+        the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]
+        """
+    @lost_damping_time.setter
+    def lost_damping_time(self, value: typing.Never) -> None: ...
+    @property
+    def noise_unit(self) -> str:
+        """
+        the length that noises are measured in
+        """
+    @noise_unit.setter
+    def noise_unit(self, value: typing.Never) -> None: ...
+    @property
+    def position_noise(self) -> float:
+        """
+        standard deviation of a measured position (root of R) [length]
+        """
+    @position_noise.setter
+    def position_noise(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_noise(self) -> float:
+        """
+        standard deviation of the velocity gained or lost in one time unit (root of Q's density) [length/unit]
+        """
+    @velocity_noise.setter
+    def velocity_noise(self, value: typing.Never) -> None: ...
+
+class KalmanCaOptions:
+    """
+    Kalman filter, constant acceleration.
+
+    Args:
+        noise_unit: the length that noises are measured in; one of "object_size" "px"
+        acceleration_noise: standard deviation of the acceleration gained or lost in one time unit (root of Q's density) [length/unit^2]; above 0
+        position_noise: standard deviation of a measured position (root of R) [length]; above 0
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; at least 0
+        initial_acceleration: standard deviation of a new track's acceleration [length/unit^2]; at least 0
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "kalman_ca"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        noise_unit: str = "object_size",
+        acceleration_noise: float = 0.4,
+        position_noise: float = 0.06,
+        initial_velocity: float = 1.0,
+        initial_acceleration: float = 0.5,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> KalmanCaOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def acceleration_noise(self) -> float:
+        """
+        standard deviation of the acceleration gained or lost in one time unit (root of Q's density) [length/unit^2]
+        """
+    @acceleration_noise.setter
+    def acceleration_noise(self, value: typing.Never) -> None: ...
+    @property
+    def initial_acceleration(self) -> float:
+        """
+        standard deviation of a new track's acceleration [length/unit^2]
+        """
+    @initial_acceleration.setter
+    def initial_acceleration(self, value: typing.Never) -> None: ...
+    @property
+    def initial_velocity(self) -> float:
+        """
+        standard deviation of a new track's velocity [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def noise_unit(self) -> str:
+        """
+        the length that noises are measured in
+        """
+    @noise_unit.setter
+    def noise_unit(self, value: typing.Never) -> None: ...
+    @property
+    def position_noise(self) -> float:
+        """
+        standard deviation of a measured position (root of R) [length]
+        """
+    @position_noise.setter
+    def position_noise(self, value: typing.Never) -> None: ...
+
+class MeanVelocityOptions:
+    """
+    mean displacement over the last steps (Narayana 2007, 3.4).
+
+    Args:
+        window_steps: steps of the mean [steps]; between 1 and 1000
+        extrapolate_lost: a lost track moves on with its velocity; published: it stays frozen
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "mean_velocity"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, window_steps: int = 5, extrapolate_lost: bool = False) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> MeanVelocityOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def extrapolate_lost(self) -> bool:
+        """
+        a lost track moves on with its velocity; published: it stays frozen
+        """
+    @extrapolate_lost.setter
+    def extrapolate_lost(self, value: typing.Never) -> None: ...
+    @property
+    def window_steps(self) -> int:
+        """
+        steps of the mean [steps]
+        """
+    @window_steps.setter
+    def window_steps(self, value: typing.Never) -> None: ...
+
+class BoxCenterOptions:
+    """
+    the centre of the box; its size is a mean over the frames in which it stands alone.
+
+    Args:
+        size_time_s: time constant of the mean of width and height [s]; above 0
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "box_center"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, size_time_s: float = 0.5) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> BoxCenterOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def size_time_s(self) -> float:
+        """
+        time constant of the mean of width and height [s]
+        """
+    @size_time_s.setter
+    def size_time_s(self, value: typing.Never) -> None: ...
+
+class CentroidOptions:
+    """
+    the centroid of the blob; its box as it is (Narayana 2007, 3.4).
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "centroid"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> CentroidOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+
+class GaussianCostOptions:
+    """
+    Mahalanobis distance of position and size, from the predicted position.
+
+    Args:
+        gate: largest squared Mahalanobis distance; 9.21 holds 99 % of the true pairs; above 0
+        size_weight: weight of the squared log ratio of the areas; at least 0
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "gaussian"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, gate: float = 9.21, size_weight: float = 1.0) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> GaussianCostOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def gate(self) -> float:
+        """
+        largest squared Mahalanobis distance; 9.21 holds 99 % of the true pairs
+        """
+    @gate.setter
+    def gate(self, value: typing.Never) -> None: ...
+    @property
+    def size_weight(self) -> float:
+        """
+        weight of the squared log ratio of the areas
+        """
+    @size_weight.setter
+    def size_weight(self, value: typing.Never) -> None: ...
+
+class MatchMatrixOptions:
+    """
+    distance in the frame plus distance in colour, from the last position (Narayana 2007, eq. 3.6).
+
+    Args:
+        max_match: pairs of a larger value are refused; 0: none is; at least 0
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "match_matrix"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, max_match: float = 0.0) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> MatchMatrixOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def max_match(self) -> float:
+        """
+        pairs of a larger value are refused; 0: none is
+        """
+    @max_match.setter
+    def max_match(self, value: typing.Never) -> None: ...
+
+class HungarianOptions:
+    """
+    optimal one-to-one assignment (Kuhn 1955).
+
+    Args:
+        confirmed_first: tentative tracks get only what believed ones leave
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "hungarian"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, confirmed_first: bool = True) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> HungarianOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def confirmed_first(self) -> bool:
+        """
+        tentative tracks get only what believed ones leave
+        """
+    @confirmed_first.setter
+    def confirmed_first(self, value: typing.Never) -> None: ...
+
+class OldestFirstOptions:
+    """
+    tracks in order of age, each takes its best (Narayana 2007, 3.5.4).
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "oldest_first"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> OldestFirstOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+
+class ConfirmAndLoseOptions:
+    """
+    confirmed after some matches, predicted while lost, closed after a time.
+
+    Args:
+        confirm_matches: matches in a row before a track is believed [frames]; between 1 and 1000000
+        confirm_s: age before a track is believed [s]; between 0 and 1000000
+        confirm_travel: distance from its first place before a track is believed; what does not travel is no object [object sizes]; between 0 and 1000000
+        report_lost_s: a lost track is reported, at its prediction, for so long [s]; between 0 and 1000000
+        max_lost_s: a track lost for longer is closed [s]; between 0 and 1000000
+        birth_overlap: a detection that lies in a matched track's box by more than this part of its area starts no track; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "confirm_and_lose"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        *,
+        confirm_matches: int = 3,
+        confirm_s: float = 0.4,
+        confirm_travel: float = 0.3,
+        report_lost_s: float = 0.5,
+        max_lost_s: float = 2.5,
+        birth_overlap: float = 0.5,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> ConfirmAndLoseOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def birth_overlap(self) -> float:
+        """
+        a detection that lies in a matched track's box by more than this part of its area starts no track
+        """
+    @birth_overlap.setter
+    def birth_overlap(self, value: typing.Never) -> None: ...
+    @property
+    def confirm_matches(self) -> int:
+        """
+        matches in a row before a track is believed [frames]
+        """
+    @confirm_matches.setter
+    def confirm_matches(self, value: typing.Never) -> None: ...
+    @property
+    def confirm_s(self) -> float:
+        """
+        age before a track is believed [s]
+        """
+    @confirm_s.setter
+    def confirm_s(self, value: typing.Never) -> None: ...
+    @property
+    def confirm_travel(self) -> float:
+        """
+        distance from its first place before a track is believed; what does not travel is no object [object sizes]
+        """
+    @confirm_travel.setter
+    def confirm_travel(self, value: typing.Never) -> None: ...
+    @property
+    def max_lost_s(self) -> float:
+        """
+        a track lost for longer is closed [s]
+        """
+    @max_lost_s.setter
+    def max_lost_s(self, value: typing.Never) -> None: ...
+    @property
+    def report_lost_s(self) -> float:
+        """
+        a lost track is reported, at its prediction, for so long [s]
+        """
+    @report_lost_s.setter
+    def report_lost_s(self, value: typing.Never) -> None: ...
+
+class LostCountOptions:
+    """
+    a track a blob at once; deleted after more than L misses (Narayana 2007, 3.5.4).
+
+    Args:
+        lost_after_frames: L: the next miss in a row closes a track [frames]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "lost_count"
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(self, *, lost_after_frames: int = 5) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> LostCountOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def lost_after_frames(self) -> int:
+        """
+        L: the next miss in a row closes a track [frames]
+        """
+    @lost_after_frames.setter
+    def lost_after_frames(self, value: typing.Never) -> None: ...
+
+class OutputOptions:
+    """
+    Extras of a result that cost something.
+
+    Args:
+        background: the background picture of every frame
+        contours: the outer contour of every blob
+        cost_matrix: the whole matrix of costs, tracks by detections
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __init__(
+        self, *, background: bool = False, contours: bool = False, cost_matrix: bool = False
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def replace(self, **options: typing.Any) -> OutputOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    @property
+    def background(self) -> bool:
+        """
+        the background picture of every frame
+        """
+    @background.setter
+    def background(self, value: typing.Never) -> None: ...
+    @property
+    def contours(self) -> bool:
+        """
+        the outer contour of every blob
+        """
+    @contours.setter
+    def contours(self, value: typing.Never) -> None: ...
+    @property
+    def cost_matrix(self) -> bool:
+        """
+        the whole matrix of costs, tracks by detections
+        """
+    @cost_matrix.setter
+    def cost_matrix(self, value: typing.Never) -> None: ...
+
+class Config:
+    """
+    All options of a pipeline; the defaults are the preset "survtrack".
+
+    Args:
+        time_unit_s: the filters' unit of time; published presets: the nominal frame period [s]; above 0 and at most 3600
+        segmenter: frame to foreground mask
+        cleanup: noise removal on the mask
+        blobs: mask to detections
+        filter: how tracks move
+        measurement: what of a detection a track follows
+        cost: how well a detection fits a track
+        assignment: who gets which detection
+        lifecycle: when tracks are born, believed, lost and closed
+        outputs: extras of a result that cost something
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    @staticmethod
+    def from_json(text: str, source: str = "config") -> Config:
+        """
+        Reads options from JSON on top of the defaults; `source` names the text in errors.
+        """
+    @staticmethod
+    def from_toml(text: str, source: str = "config") -> Config:
+        """
+        Reads options from TOML on top of the defaults; `source` names the text in errors.
+        """
+    def __copy__(self) -> Config: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> Config: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        time_unit_s: float = 1.0,
+        segmenter: SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions = ...,
+        cleanup: CleanupOptions = ...,
+        blobs: BlobOptions = ...,
+        filter: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions = ...,
+        measurement: BoxCenterOptions | CentroidOptions = ...,
+        cost: GaussianCostOptions | MatchMatrixOptions = ...,
+        assignment: HungarianOptions | OldestFirstOptions = ...,
+        lifecycle: ConfirmAndLoseOptions | LostCountOptions = ...,
+        outputs: OutputOptions = ...,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> Config:
+        """
+        A copy with some options changed.
+        """
+    def set(self, option_and_value: str) -> None:
+        """
+        Sets one option, as in set("filter.model=kalman_ca"). Choosing a model resets its options.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name.
+        """
+    def to_json(self) -> str:
+        """
+        All options as JSON.
+        """
+    def to_toml(self) -> str:
+        """
+        All options as a TOML file, each with its unit and meaning.
+        """
+    def update_from_json(self, text: str, source: str = "config") -> None:
+        """
+        Reads options from JSON on top of the present ones; an error leaves the config as it was.
+        """
+    def update_from_toml(self, text: str, source: str = "config") -> None:
+        """
+        Reads options from TOML on top of the present ones; an error leaves the config as it was.
+        """
+    @property
+    def assignment(self) -> HungarianOptions | OldestFirstOptions:
+        """
+        who gets which detection
+        """
+    @assignment.setter
+    def assignment(self, value: HungarianOptions | OldestFirstOptions) -> None: ...
+    @property
+    def blobs(self) -> BlobOptions:
+        """
+        mask to detections
+        """
+    @blobs.setter
+    def blobs(self, value: BlobOptions) -> None: ...
+    @property
+    def cleanup(self) -> CleanupOptions:
+        """
+        noise removal on the mask
+        """
+    @cleanup.setter
+    def cleanup(self, value: CleanupOptions) -> None: ...
+    @property
+    def cost(self) -> GaussianCostOptions | MatchMatrixOptions:
+        """
+        how well a detection fits a track
+        """
+    @cost.setter
+    def cost(self, value: GaussianCostOptions | MatchMatrixOptions) -> None: ...
+    @property
+    def filter(self) -> KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions:
+        """
+        how tracks move
+        """
+    @filter.setter
+    def filter(self, value: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions) -> None: ...
+    @property
+    def lifecycle(self) -> ConfirmAndLoseOptions | LostCountOptions:
+        """
+        when tracks are born, believed, lost and closed
+        """
+    @lifecycle.setter
+    def lifecycle(self, value: ConfirmAndLoseOptions | LostCountOptions) -> None: ...
+    @property
+    def measurement(self) -> BoxCenterOptions | CentroidOptions:
+        """
+        what of a detection a track follows
+        """
+    @measurement.setter
+    def measurement(self, value: BoxCenterOptions | CentroidOptions) -> None: ...
+    @property
+    def outputs(self) -> OutputOptions:
+        """
+        extras of a result that cost something
+        """
+    @outputs.setter
+    def outputs(self, value: OutputOptions) -> None: ...
+    @property
+    def segmenter(self) -> SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions:
+        """
+        frame to foreground mask
+        """
+    @segmenter.setter
+    def segmenter(
+        self, value: SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions
+    ) -> None: ...
+    @property
+    def time_unit_s(self) -> float:
+        """
+        the filters' unit of time; published presets: the nominal frame period [s]
+        """
+    @time_unit_s.setter
+    def time_unit_s(self, value: float) -> None: ...
+
+class Detections:
+    """
+    All detections of one frame: a sequence of Detection.
+    """
+    def __getitem__(self, index: typing.SupportsInt | typing.SupportsIndex) -> Detection: ...
+    def __init__(
+        self,
+        boxes: typing.Any,
+        time_s: typing.SupportsFloat | typing.SupportsIndex,
+        *,
+        index: typing.SupportsInt | typing.SupportsIndex = 0,
+        confidences: typing.Any = None,
+        class_ids: typing.Any = None,
+        frame_size: tuple[
+            typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex
+        ] = (0, 0),
+    ) -> None:
+        """
+        From your own detector: boxes is Nx4 (left, top, width, height in px); confidences and class_ids have N
+        numbers; frame_size is (width, height) in px, (0, 0) when unknown.
+        """
+    def __iter__(self) -> collections.abc.Iterator[Detection]: ...
+    def __len__(self) -> int: ...
+    @property
+    def array(self) -> numpy.ndarray:
+        """
+        All detections as one structured array.
+        """
+    @property
+    def background(self) -> typing.Any:
+        """
+        The background picture, with config.outputs.background; else None.
+        """
+    @property
+    def contours(self) -> list[numpy.typing.NDArray[numpy.int32]]:
+        """
+        An Nx2 int32 array (x, y) a detection, with config.outputs.contours; else empty.
+        """
+    @property
+    def events(self) -> list[Event]:
+        """
+        Raised by the detector.
+        """
+    @property
+    def frame_size(self) -> tuple[int, int]:
+        """
+        (width, height), px
+        """
+    @property
+    def index(self) -> int: ...
+    @property
+    def mask(self) -> typing.Any:
+        """
+        HxW uint8, 0 or 255; None for your own boxes.
+        """
+    @property
+    def regions(self) -> list[Box]:
+        """
+        The parts of the frame read.
+        """
+    @property
+    def time_s(self) -> float: ...
+
+class TrackingResult:
+    """
+    What the tracker knows after one frame.
+    """
+    @property
+    def costs(self) -> typing.Any:
+        """
+        Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.
+        """
+    @property
+    def events(self) -> list[Event]:
+        """
+        The detector's, then the tracker's.
+        """
+    @property
+    def index(self) -> int:
+        """
+        The frame's index in its source.
+        """
+    @property
+    def matches(self) -> list[Match]:
+        """
+        All pairs of track and detection that passed the gate, with their costs.
+        """
+    @property
+    def tentative(self) -> list[Track]:
+        """
+        Candidates, seen too few times to be believed; their id is 0.
+        """
+    @property
+    def time_s(self) -> float: ...
+    @property
+    def track_array(self) -> numpy.ndarray:
+        """
+        The believed tracks as one structured array.
+        """
+    @property
+    def tracks(self) -> list[Track]:
+        """
+        Believed tracks (confirmed, lost, or closed in this frame) in order of id.
+        """
+
+class FrameResult:
+    """
+    Everything about one processed frame.
+    """
+    @property
+    def background(self) -> typing.Any:
+        """
+        The background picture, with config.outputs.background; else None.
+        """
+    @property
+    def costs(self) -> typing.Any:
+        """
+        Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.
+        """
+    @property
+    def detection_array(self) -> numpy.ndarray:
+        """
+        All detections as one structured array.
+        """
+    @property
+    def detections(self) -> Detections:
+        """
+        The frame's detections, a sequence.
+        """
+    @property
+    def events(self) -> list[Event]:
+        """
+        The detector's, then the tracker's.
+        """
+    @property
+    def frame(self) -> typing.Any:
+        """
+        The frame: the array given to process, or a copy of it when the pipeline has a delay.
+        """
+    @property
+    def index(self) -> int:
+        """
+        The frame's index in its source.
+        """
+    @property
+    def mask(self) -> numpy.ndarray:
+        """
+        Foreground mask after cleanup, HxW uint8, 0 or 255.
+        """
+    @property
+    def matches(self) -> list[Match]:
+        """
+        All pairs of track and detection that passed the gate, with their costs.
+        """
+    @property
+    def tentative(self) -> list[Track]:
+        """
+        Candidates, seen too few times to be believed; their id is 0.
+        """
+    @property
+    def time_s(self) -> float: ...
+    @property
+    def track_array(self) -> numpy.ndarray:
+        """
+        The believed tracks as one structured array.
+        """
+    @property
+    def tracks(self) -> list[Track]:
+        """
+        Believed tracks (confirmed, lost, or closed in this frame) in order of id.
+        """
+
+class Segmenter:
+    """
+    A background model alone: frame in, raw foreground mask out.
+    """
+    def __init__(
+        self, options: SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions = ...
+    ) -> None:
+        """
+        Raises ConfigError.
+        """
+    def background(self) -> numpy.ndarray:
+        """
+        The background picture, uint8 of the frame's size.
+        """
+    def reset(self) -> None:
+        """
+        Forgets everything: the next frame is a first frame.
+        """
+    def segment(
+        self, frame: typing.Any, time_s: typing.SupportsFloat | typing.SupportsIndex
+    ) -> numpy.ndarray:
+        """
+        One frame on: frame is HxW or HxWx3 (BGR) uint8, time_s increases. Returns the mask before cleanup, HxW
+        uint8, 0 or 255. Raises InputError and then keeps its state.
+        """
+
+class FilterBank:
+    """
+    The filters of many objects in one, a slot an object; each is predicted and corrected in turn.
+    """
+    def __init__(self, options: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions) -> None:
+        """
+        Raises ConfigError.
+        """
+    def __len__(self) -> int: ...
+    def add(
+        self,
+        x: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.SupportsFloat | typing.SupportsIndex,
+        *,
+        object_size_px: typing.SupportsFloat | typing.SupportsIndex = 1.0,
+    ) -> int:
+        """
+        Starts a filter at a measured position in px; returns its slot. object_size_px is the unit of noises that
+        are relative to the object's size. Raises InputError.
+        """
+    def correct(self, measured: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        Corrects all filters by an Nx2 array of positions in px; rows of NaN are missing measurements.
+        """
+    def predict(self, dt: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        Moves all filters on by dt time units, above 0.
+        """
+    def remove(self, slot: typing.SupportsInt | typing.SupportsIndex) -> None:
+        """
+        Ends a filter; later slots move down by one.
+        """
+    def state(
+        self, slot: typing.SupportsInt | typing.SupportsIndex
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The raw state: positions, velocities, accelerations (x, y each).
+        """
+    def state_covariance(
+        self, slot: typing.SupportsInt | typing.SupportsIndex
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The raw state's covariance; empty for filters without one.
+        """
+    @property
+    def innovation_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2
+        """
+    @property
+    def position_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2
+        """
+    @property
+    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px
+        """
+    @property
+    def predicted_positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px: where the measurements are expected, after predict
+        """
+    @property
+    def velocities(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px per time unit
+        """
+
+class Pipeline:
+    """
+    The whole system: frame in, tracks and events out. One object a camera.
+    """
+    @staticmethod
+    def from_preset(name: str = "survtrack") -> Pipeline:
+        """
+        A pipeline with a preset's config.
+        """
+    def __init__(self, config: Config = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def finish(self) -> list[FrameResult]:
+        """
+        The source has ended: the results still due. After it only reset() is allowed.
+        """
+    def process(
+        self,
+        frame: typing.Any,
+        time_s: typing.SupportsFloat | typing.SupportsIndex,
+        index: typing.SupportsInt | typing.SupportsIndex | None = None,
+    ) -> typing.Any:
+        """
+        One frame on. frame: HxW (grey) or HxWx3 (BGR) uint8, one size for the whole run; time_s: increasing, in
+        seconds; index: the frame's index in its source, increasing, counts on from the last by default.
+        None while a delayed pipeline fills. Raises InputError and then keeps its state.
+        """
+    def reset(self) -> None:
+        """
+        Forgets frames and tracks; the next frame is a first frame and ids start at 1.
+        """
+    @property
+    def config(self) -> Config:
+        """
+        A copy of the config.
+        """
+    @property
+    def delay_frames(self) -> int:
+        """
+        Frames by which results come late.
+        """
+
+class Detector:
+    """
+    The first half: frame in, detections out.
+    """
+    def __init__(self, config: Config = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def finish(self) -> list[Detections]:
+        """
+        The rest of a delayed model. After it only reset() is allowed.
+        """
+    def process(
+        self,
+        frame: typing.Any,
+        time_s: typing.SupportsFloat | typing.SupportsIndex,
+        index: typing.SupportsInt | typing.SupportsIndex | None = None,
+        *,
+        keep: collections.abc.Sequence[Box] = [],
+    ) -> typing.Any:
+        """
+        Frame in, detections out; None while a delayed model fills. Arguments as for Pipeline.process; keep: places
+        that the background must not learn.
+        """
+    def reset(self) -> None:
+        """
+        Forgets everything.
+        """
+    @property
+    def delay_frames(self) -> int:
+        """
+        Frames by which detections come late.
+        """
+
+class Tracker:
+    """
+    The second half: detections in, tracks out; for any detector's boxes.
+    """
+    def __init__(self, config: Config = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def predict(self, time_s: typing.SupportsFloat | typing.SupportsIndex) -> Expectation:
+        """
+        Moves all tracks on to the coming frame's time and says what is expected there.
+        """
+    @typing.overload
+    def process(self, detections: Detections) -> TrackingResult:
+        """
+        One frame on: predicts to detections.time_s, associates, updates.
+        """
+    @typing.overload
+    def process(
+        self, boxes: typing.Any, time_s: typing.SupportsFloat | typing.SupportsIndex
+    ) -> TrackingResult:
+        """
+        The same with an Nx4 array: left, top, width, height in px.
+        """
+    def reset(self) -> None:
+        """
+        Forgets all tracks; ids start at 1 again.
+        """
+    def update(self, detections: Detections) -> TrackingResult:
+        """
+        The second step of process, after predict for the same time.
+        """
+
+def assign_hungarian(
+    costs: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    unassigned_cost: typing.SupportsFloat | typing.SupportsIndex = ...,
+) -> numpy.typing.NDArray[numpy.int64]:
+    """
+    Optimal one-to-one assignment. costs: rows x columns, inf where a pair is refused; unassigned_cost: cost of a row
+    that stays alone; inf: as many pairs as possible. Returns the column of each row, -1 for none. Raises InputError.
+    """
+
+def assign_oldest_first(
+    costs: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+) -> numpy.typing.NDArray[numpy.int64]:
+    """
+    Rows in order, each takes its cheapest free column (Narayana 2007, 3.5.4). costs: rows x columns, inf where
+    a pair is refused. Returns the column of each row, -1 for none. Raises InputError.
+    """
+
+def clean_mask(mask: typing.Any, options: CleanupOptions = ...) -> numpy.ndarray:
+    """
+    A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing. The input is left alone.
+    """
+
+def find_blobs(
+    mask: typing.Any,
+    frame: typing.Any = None,
+    options: BlobOptions = ...,
+    *,
+    contours: bool = False,
+) -> Detections:
+    """
+    The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size).
+    """
+
+def iou(a: Box, b: Box) -> float:
+    """
+    Intersection over union of two boxes, 0 to 1.
+    """
+
+def match_matrix(
+    tracks: collections.abc.Sequence[Track],
+    detections: collections.abc.Sequence[Detection],
+    frame_size: tuple[
+        typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex
+    ],
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    The match matrix of Narayana 2007, eq. 3.6: tracks x detections; frame_size is (width, height) in px.
+    """
+
+def options_reference() -> str:
+    """
+    The reference of all options in Markdown.
+    """
+
+def preset(name: str = "survtrack") -> Config:
+    """
+    The config of a preset.
+    """
+
+def preset_names() -> list[str]:
+    """
+    Names of the presets, the default one first.
+    """
+
+def preset_text(name: str) -> str:
+    """
+    A preset's TOML file: what differs from the defaults, with the reasons.
+    """
+
+__version__: str = "0.1.0"

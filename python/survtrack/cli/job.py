@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""What `run` and `segment` have in common: from options to a finished folder."""
+
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import survtrack
+from survtrack.cli.messages import one_line, print_error
+from survtrack.cli.progress import show_progress
+from survtrack.cli.signals import interrupted_by_signal
+from survtrack.errors import InputError
+from survtrack.runner import RunSummary, refuse_endless_delay, run
+from survtrack.sinks import RunFolder, Sink
+from survtrack.sinks.folder import CONFIG, MANIFEST
+from survtrack.sources import Prefetch, Source, open_source
+
+if TYPE_CHECKING:
+    from survtrack._core import Config
+
+INTERRUPTED = 130
+
+
+@dataclass(frozen=True)
+class Request:
+    """Options of `run` and `segment`, as typed."""
+
+    command: str
+    source: str
+    preset: str
+    config: Path | None
+    assignments: Sequence[str]
+    fps: float | None
+    start: int
+    step: int
+    limit: int | None
+    resize: tuple[int, int] | None
+    out: Path
+    as_json: bool
+    quiet: bool
+
+
+def resolve_config(request: Request) -> "Config":
+    """The preset, with the config file on top and then each --set, left to right.
+
+    Raises:
+        ConfigError: an unknown preset, option or value.
+        InputError: the config file cannot be read.
+    """
+    config = survtrack.preset(request.preset)
+    if request.config is not None:
+        try:
+            text = request.config.read_text(encoding="utf-8")
+        except OSError as error:
+            raise InputError(f"{request.config}: {error.strerror}") from error
+        except UnicodeDecodeError as error:
+            raise InputError(f"{request.config}: is not UTF-8 text") from error
+        config.update_from_toml(text, str(request.config))
+    for assignment in request.assignments:
+        config.set(assignment)
+    return config
+
+
+def execute(
+    request: Request,
+    config: "Config",
+    make_sinks: Callable[[RunFolder, Source], list[Sink]],
+) -> int:
+    """Run it all and print the summary; returns the exit code of an interrupted run, else 0.
+
+    Raises:
+        SurvtrackError, OSError: what went wrong; what was seen before is in the folder, and
+            run.json there says that it is not complete.
+    """
+    pipeline = survtrack.Pipeline(config)
+    source = open_source(
+        request.source,
+        fps=request.fps,
+        start=request.start,
+        step=request.step,
+        limit=request.limit,
+        resize=request.resize,
+    )
+    refuse_endless_delay(source, pipeline)
+    folder = RunFolder(request.out)
+    sinks = make_sinks(folder, source)
+    total = source.selection.expected_count(source.frame_count_declared)
+    with (
+        Prefetch(source) as frames,
+        interrupted_by_signal(frames.interrupt) as signals,
+        show_progress(total, quiet=request.quiet) as progress,
+    ):
+        summary = run(frames, pipeline, sinks, progress)
+    facts = run_facts(request, source, summary)
+    facts["outputs"] = [name for sink in sinks for name in sink.outputs]
+    _finish(folder, facts, config, summary)
+    _print_summary(request, facts, summary)
+    if isinstance(summary.error, KeyboardInterrupt):
+        when = "" if summary.last_index is None else f" after frame {summary.last_index + 1}"
+        print_error(f"interrupted{when}; what was found until then is in {request.out}")
+        return 128 + signals[0] if signals else INTERRUPTED
+    summary.raise_error()
+    return 0
+
+
+def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str, Any]:
+    """What run.json says of a run; frames count from 1, as in tracks.txt."""
+    first, last = summary.first_index, summary.last_index
+    return {
+        "survtrack": survtrack.__version__,
+        "command": request.command,
+        "source": source.name,
+        "preset": request.preset,
+        "config": None if request.config is None else str(request.config),
+        "set": list(request.assignments),
+        "complete": summary.complete,
+        "error": None if summary.error is None else one_line(summary.error),
+        "frames": {
+            "first": None if first is None else first + 1,
+            "last": None if last is None else last + 1,
+            "step": source.selection.step,
+            "count": summary.frames,
+        },
+        "fps": source.fps,
+        "fps_origin": source.fps_origin,
+        "size": summary.size,
+        "tracks": len(summary.track_ids),
+        "events": summary.events,
+        "seconds": round(summary.seconds, 6),
+        "frames_per_s": _rate(summary.frames, summary.seconds),
+        "pipeline_seconds": round(summary.pipeline_seconds, 6),
+        "frames_per_s_without_decoding": _rate(summary.frames, summary.pipeline_seconds),
+    }
+
+
+def _rate(frames: int, seconds: float) -> float | None:
+    return round(frames / seconds, 3) if frames and seconds > 0 else None
+
+
+def _finish(
+    folder: RunFolder, facts: dict[str, Any], config: "Config", summary: RunSummary
+) -> None:
+    """Write run.json; when that fails too, what ended the run is the error to tell."""
+    try:
+        folder.finish(facts, config.to_toml())
+    except OSError:
+        summary.raise_error()
+        raise
+
+
+def _print_summary(request: Request, facts: dict[str, Any], summary: RunSummary) -> None:
+    if request.as_json:
+        printed = {**facts, "frames": summary.frames, "out": str(request.out)}
+        print(json.dumps(printed, allow_nan=False))
+    elif not request.quiet and summary.frames:
+        print(
+            f"{summary.frames} frames in {summary.seconds:.2f} s: {facts['frames_per_s']:.1f} "
+            f"frames/s, pipeline alone {facts['frames_per_s_without_decoding']:.1f} frames/s"
+        )
+        print(f"tracks: {facts['tracks']}, events: {facts['events']}")
+        print(f"{request.out}: {', '.join([*facts['outputs'], CONFIG, MANIFEST])}")

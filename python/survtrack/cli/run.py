@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""The command `survtrack run`."""
+
+from typing import Annotated
+
+import typer
+
+from survtrack.cli import options
+from survtrack.cli.job import Request, execute, resolve_config
+from survtrack.drawing import VIEW_NAMES, Views
+from survtrack.errors import UsageError
+from survtrack.sinks import AnnotatedVideo, EventLines, MotText, RunFolder, Sink, TracksCsv
+from survtrack.sources import Source
+
+VideoOption = Annotated[bool, typer.Option("--video", help="Also write annotated.mp4.")]
+ViewsOption = Annotated[
+    str | None,
+    typer.Option(
+        "--views",
+        metavar="A,B",
+        help=f"What annotated.mp4 shows, side by side: of {', '.join(VIEW_NAMES)}. "
+        "Without it: tracks.",
+    ),
+]
+
+
+def run(
+    source: options.SourceArgument,
+    out: options.OutOption,
+    preset: options.PresetOption = "survtrack",
+    config: options.ConfigOption = None,
+    assignments: options.SetOption = None,
+    fps: options.FpsOption = None,
+    start: options.StartOption = 0,
+    step: options.StepOption = 1,
+    limit: options.LimitOption = None,
+    resize: options.ResizeOption = None,
+    video: VideoOption = False,
+    views: ViewsOption = None,
+    as_json: options.JsonOption = False,
+    quiet: options.QuietOption = False,
+) -> int:
+    """Track what moves in SOURCE.
+
+    Writes DIR/tracks.txt (MOT), events.jsonl, tracks.csv, config.toml and run.json. Each is
+    NAME.part until it is whole; Ctrl-C finishes them.
+    """
+    request = Request(
+        "run", source, preset, config, assignments or [], fps, start, step, limit,
+        options.parse_size(resize), out, as_json, quiet,
+    )  # fmt: skip
+    names = _view_names(video, views)
+    resolved = resolve_config(request)
+    if "background" in names:
+        resolved.set("outputs.background=true")
+
+    def make_sinks(folder: RunFolder, source: Source) -> list[Sink]:
+        path = folder.path
+        sinks: list[Sink] = [
+            MotText(path / "tracks.txt"),
+            EventLines(path / "events.jsonl"),
+            TracksCsv(path / "tracks.csv", source.file_name),
+        ]
+        if video:
+            rate = source.fps / source.selection.step
+            sinks.append(AnnotatedVideo(path / "annotated.mp4", Views(names), fps=rate))
+        return sinks
+
+    return execute(request, resolved, make_sinks)
+
+
+def _view_names(video: bool, views: str | None) -> list[str]:
+    """Names of --views, checked before anything is opened."""
+    if views is None:
+        return ["tracks"]
+    if not video:
+        raise UsageError(f"--views {views}: says what annotated.mp4 shows; add --video")
+    names = [name.strip() for name in views.split(",")]
+    Views(names)
+    return names

@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""The command `survtrack segment`."""
+
+from survtrack.cli import options
+from survtrack.cli.job import Request, execute, resolve_config
+from survtrack.sinks import MaskFolder, RunFolder, Sink
+from survtrack.sources import Source
+
+
+def segment(
+    source: options.SourceArgument,
+    out: options.OutOption,
+    preset: options.PresetOption = "survtrack",
+    config: options.ConfigOption = None,
+    assignments: options.SetOption = None,
+    fps: options.FpsOption = None,
+    start: options.StartOption = 0,
+    step: options.StepOption = 1,
+    limit: options.LimitOption = None,
+    resize: options.ResizeOption = None,
+    as_json: options.JsonOption = False,
+    quiet: options.QuietOption = False,
+) -> int:
+    """Write the foreground mask of every frame of SOURCE: DIR/binNNNNNN.png, 0 or 255.
+
+    Folder of images: NNNNNN are the last six digits of the image's name; video: the frame counted
+    from 1. The masks are those of `survtrack run`, which expects objects where its tracks are.
+    They are in DIR/masks.part until the end, where they replace those of an earlier run.
+    """
+    request = Request(
+        "segment", source, preset, config, assignments or [], fps, start, step, limit,
+        options.parse_size(resize), out, as_json, quiet,
+    )  # fmt: skip
+
+    def make_sinks(folder: RunFolder, source: Source) -> list[Sink]:
+        folder.refuse_foreign_masks()
+        return [MaskFolder(folder.path, source.file_name)]
+
+    return execute(request, resolve_config(request), make_sinks)

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""The judge: scores tracks and foreground masks against ground truth.
+
+evaluate_tracks gives HOTA, CLEAR MOT and identity scores, equal to TrackEval; evaluate_masks
+gives CDnet's. Importing this package loads neither scipy nor cv2; scoring does.
+"""
+
+from survtrack.evaluation.boxes import Boxes
+from survtrack.evaluation.cvml import read_cvml
+from survtrack.evaluation.masks import MaskScores, evaluate_masks
+from survtrack.evaluation.mot import read_mot
+from survtrack.evaluation.readers import read_boxes
+from survtrack.evaluation.tracks import TrackScores, evaluate_tracks
+
+__all__ = [
+    "Boxes",
+    "MaskScores",
+    "TrackScores",
+    "evaluate_masks",
+    "evaluate_tracks",
+    "read_boxes",
+    "read_cvml",
+    "read_mot",
+]

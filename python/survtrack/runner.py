@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""The loop: frames from a source through a pipeline to sinks."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from os import PathLike
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from survtrack.errors import UsageError
+from survtrack.sources import ArraySource, Prefetch, open_source
+
+if TYPE_CHECKING:
+    from survtrack._core import Config, FrameResult, Pipeline
+    from survtrack.sinks import Sink
+    from survtrack.sources import Frame, Source
+
+
+@dataclass
+class RunSummary:
+    """What a run did.
+
+    Attributes:
+        frames: results written.
+        first_index, last_index: source index of the first and last result; None without any.
+        size: (width, height) of the frames in pixels.
+        seconds: from the first frame's request until all sinks are finished.
+        pipeline_seconds: of these, inside the pipeline: without decoding, drawing and writing.
+        track_ids: ids of all tracks that were reported.
+        events: number of events.
+        error: what ended the run early; None when it is complete.
+    """
+
+    frames: int = 0
+    first_index: int | None = None
+    last_index: int | None = None
+    size: tuple[int, int] | None = None
+    seconds: float = 0.0
+    pipeline_seconds: float = 0.0
+    track_ids: set[int] = field(default_factory=set)
+    events: int = 0
+    error: BaseException | None = None
+
+    @property
+    def complete(self) -> bool:
+        """True when every selected frame was read, processed and written."""
+        return self.error is None
+
+    def raise_error(self) -> None:
+        """Raise what ended the run early, if something did."""
+        if self.error is not None:
+            raise self.error
+
+    def add(self, result: "FrameResult") -> None:
+        """Count one result."""
+        self.frames += 1
+        self.first_index = result.index if self.first_index is None else self.first_index
+        self.last_index = result.index
+        self.size = (result.frame.shape[1], result.frame.shape[0])
+        self.track_ids.update(track.id for track in result.tracks if track.reported)
+        self.events += len(result.events)
+
+
+def run(
+    source: "Source",
+    pipeline: "Pipeline",
+    sinks: "Sequence[Sink]",
+    progress: Callable[[int], None] | None = None,
+) -> RunSummary:
+    """Process every frame of the source and write every result to every sink.
+
+    Whatever goes wrong on the way, Ctrl-C included, ends the run but not its outputs: the frames
+    seen before are written, the sinks are finished, and the summary's `error` says what it was.
+
+    Args:
+        source: see Source.
+        pipeline: fresh, or reset.
+        sinks: see Sink; entered and left here.
+        progress: called after each result with the number of results.
+
+    Raises:
+        UsageError: an endless source with a pipeline that answers late.
+    """
+    refuse_endless_delay(source, pipeline)
+    summary = RunSummary()
+    began = perf_counter()
+    try:
+        with ExitStack() as stack:
+            for sink in sinks:
+                stack.enter_context(sink)
+            _loop(source, pipeline, sinks, progress, summary)
+    except (Exception, KeyboardInterrupt) as error:
+        # A full disk also keeps other sinks from finishing: what came first is the cause.
+        summary.error = summary.error or error
+    summary.seconds = perf_counter() - began
+    return summary
+
+
+def _loop(
+    source: "Source",
+    pipeline: "Pipeline",
+    sinks: "Sequence[Sink]",
+    progress: Callable[[int], None] | None,
+    summary: RunSummary,
+) -> None:
+    """Write results until there are no more; an error on the way is put into the summary."""
+    try:
+        for result in results(source, pipeline, summary):
+            for sink in sinks:
+                sink.write(result.frame, result)
+            summary.add(result)
+            if progress is not None:
+                progress(summary.frames)
+    except (Exception, KeyboardInterrupt) as error:
+        summary.error = error
+
+
+def results(
+    source: "Source", pipeline: "Pipeline", summary: RunSummary | None = None
+) -> "Iterator[FrameResult]":
+    """Yield the result of each frame, late ones included, also before what the source raises.
+
+    Args:
+        source: see Source.
+        pipeline: fresh, or reset.
+        summary: its pipeline_seconds grow by the time spent in the pipeline.
+    """
+    watch = summary or RunSummary()
+    try:
+        for index, time_s, frame in source:
+            began = perf_counter()
+            result = pipeline.process(frame, time_s, index)
+            watch.pipeline_seconds += perf_counter() - began
+            if result is not None:
+                yield result
+    except (Exception, KeyboardInterrupt):
+        yield from _finish(pipeline, watch)
+        raise
+    yield from _finish(pipeline, watch)
+
+
+def _finish(pipeline: "Pipeline", watch: RunSummary) -> "list[FrameResult]":
+    began = perf_counter()
+    rest = pipeline.finish()
+    watch.pipeline_seconds += perf_counter() - began
+    return rest
+
+
+def refuse_endless_delay(source: "Source", pipeline: "Pipeline") -> None:
+    """Raise UsageError for an endless source with a pipeline that needs frames yet to come."""
+    if source.endless and pipeline.delay_frames > 0:
+        raise UsageError(
+            f"{source.name}: is a live stream, but this config answers "
+            f"{pipeline.delay_frames} frames late; choose one without delay, such as the default"
+        )
+
+
+def track(
+    source: "str | PathLike[str] | Iterable[Frame]",
+    preset: str = "survtrack",
+    *,
+    config: "Config | None" = None,
+    fps: float | None = None,
+    start: int = 0,
+    step: int = 1,
+    limit: int | None = None,
+    resize: tuple[int, int] | None = None,
+) -> "Iterator[tuple[Frame, FrameResult]]":
+    """Track what moves in a video, a folder or glob of images, or an iterable of arrays.
+
+        for frame, result in survtrack.track("street.mp4"):
+            print(result.index, [track.id for track in result.tracks if track.reported])
+
+    Args:
+        source, fps, start, step, limit, resize: as for survtrack.sources.open_source.
+        preset: name of a preset; not looked at when `config` is given.
+        config: what to run instead of a preset.
+
+    Returns:
+        An iterator of (frame, result); frame is the one that the result belongs to. What the
+        source raises comes after the results of the frames before it.
+
+    Raises:
+        InputError: the source cannot be read.
+        UsageError: a bad option.
+    """
+    import survtrack
+
+    pipeline = survtrack.Pipeline(config or survtrack.preset(preset))
+    frames = open_source(source, fps=fps, start=start, step=step, limit=limit, resize=resize)
+    refuse_endless_delay(frames, pipeline)
+    return _pairs(frames, pipeline)
+
+
+def _pairs(source: "Source", pipeline: "Pipeline") -> "Iterator[tuple[Frame, FrameResult]]":
+    if isinstance(source, ArraySource):
+        yield from ((result.frame, result) for result in results(source, pipeline))
+        return
+    with Prefetch(source) as ahead:
+        for result in results(ahead, pipeline):
+            yield result.frame, result

@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+# Our pipeline against OpenCV's, in the same run: prints ratios.
+source "$(dirname "$0")/common.sh"
+bash scripts/setup.sh
+bash scripts/demo_footage.sh
+"$VENV/bin/python" benchmarks/run.py "$@"

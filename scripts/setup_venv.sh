@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+# Makes .venv with the Python packages that pyproject.toml and scripts/python-no-deps.txt name.
+source "$(dirname "$0")/common.sh"
+PYTHON=${PYTHON:-python3}
+
+key="$(hash_of pyproject.toml scripts/python-no-deps.txt) $("$PYTHON" -VV | tr '\n' ' ')"
+if done_before venv "$key" && [ -x "$VENV/bin/python" ]; then
+  say "Python packages: all there"
+  exit 0
+fi
+
+say "Python packages: $("$PYTHON" --version) in $VENV"
+"$PYTHON" -m venv "$VENV"
+mapfile -t requirements < <("$VENV/bin/python" scripts/requirements.py)
+"$VENV/bin/pip" install --quiet --disable-pip-version-check "${requirements[@]}"
+"$VENV/bin/pip" install --quiet --disable-pip-version-check --no-deps -r scripts/python-no-deps.txt
+mark_done venv "$key"

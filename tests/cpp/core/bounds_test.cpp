@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "../error_message.hpp"
+#include "survtrack/core/fields.hpp"
+
+namespace survtrack {
+namespace {
+
+struct Inner {
+  int count = 3;
+  static constexpr auto fields() {
+    return std::make_tuple(field("count", &Inner::count, "", "a count", between(1, 5)));
+  }
+};
+
+struct Outer {
+  double share = 0.5;
+  Inner inner;
+  bool flag = false;
+  static constexpr auto fields() {
+    return std::make_tuple(field("share", &Outer::share, "", "a share", above_up_to(0, 1)),
+                           field("inner", &Outer::inner, "", "inside"), field("flag", &Outer::flag, "", "a flag"));
+  }
+  void check(const std::string& path) const {
+    if (flag && inner.count > 3) throw ConfigError(join_path(path, "flag") + ": needs a small count");
+  }
+};
+
+TEST(Bounds, AllowTheirEndsAsTheySay) {
+  EXPECT_TRUE(allows(at_least(2), 2.0));
+  EXPECT_FALSE(allows(at_least(2), std::nextafter(2.0, 0.0)));
+  EXPECT_FALSE(allows(above(2), 2.0));
+  EXPECT_TRUE(allows(above(2), std::nextafter(2.0, 3.0)));
+  EXPECT_TRUE(allows(between(0, 1), 0.0));
+  EXPECT_TRUE(allows(between(0, 1), 1.0));
+  EXPECT_FALSE(allows(between(0, 1), 1.0000001));
+  EXPECT_FALSE(allows(above_up_to(0, 1), 0.0));
+  EXPECT_TRUE(allows(above_up_to(0, 1), 1.0));
+}
+
+TEST(Bounds, OddNumbersAndZero) {
+  const Bounds bounds = odd_up_to(7);
+  for (const double good : {0.0, 1.0, 3.0, 7.0}) EXPECT_TRUE(allows(bounds, good)) << good;
+  for (const double bad : {-1.0, 2.0, 6.0, 9.0}) EXPECT_FALSE(allows(bounds, bad)) << bad;
+}
+
+TEST(Bounds, DescribeThemselves) {
+  EXPECT_EQ(describe({}), "a finite number");
+  EXPECT_EQ(describe(at_least(2)), "at least 2");
+  EXPECT_EQ(describe(above(0)), "above 0");
+  EXPECT_EQ(describe(between(0, 1e6)), "between 0 and 1000000");
+  EXPECT_EQ(describe(above_up_to(0, 0.5)), "above 0 and at most 0.5");
+  EXPECT_EQ(describe(odd_up_to(31)), "between 0 and 31, 0 or odd");
+  EXPECT_EQ(describe(Bounds{-std::numeric_limits<double>::infinity(), 4.0}), "at most 4");
+}
+
+TEST(CheckFields, NamesTheFullPathTheValueAndWhatIsAllowed) {
+  Outer options;
+  EXPECT_NO_THROW(check_fields(options));
+  options.inner.count = 6;
+  EXPECT_EQ(message_of<ConfigError>([&] { check_fields(options); }),
+            "inner.count: 6 is not allowed; expected between 1 and 5");
+  EXPECT_EQ(message_of<ConfigError>([&] { check_fields(options, "outer"); }),
+            "outer.inner.count: 6 is not allowed; expected between 1 and 5");
+}
+
+TEST(CheckFields, RefusesWhatIsNotFinite) {
+  Outer options;
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    options.share = bad;
+    EXPECT_TRUE(contains(message_of<ConfigError>([&] { check_fields(options); }), "share: ", "above 0 and at most 1"));
+  }
+}
+
+TEST(CheckFields, RunsRulesOverSeveralOptions) {
+  Outer options;
+  options.flag = true;
+  EXPECT_NO_THROW(check_fields(options));
+  options.inner.count = 4;
+  EXPECT_EQ(message_of<ConfigError>([&] { check_fields(options, "outer"); }), "outer.flag: needs a small count");
+}
+
+}  // namespace
+}  // namespace survtrack

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#include "survtrack/filtering/filter_bank.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace survtrack {
+namespace {
+
+/// What every filter promises: it finds the velocity of what moves steadily, slots do not touch each other,
+/// and state and estimate say the same.
+class FilterContract : public testing::TestWithParam<FilterOptions> {};
+
+TEST_P(FilterContract, FindsPositionAndVelocityOfASteadyMotion) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({10.0, 200.0}, 20.0);
+  for (int i = 1; i <= 60; ++i) {
+    bank->predict(1.0);
+    bank->correct(0, {10.0 + 4.0 * i, 200.0 - 3.0 * i});
+  }
+  const Estimate now = bank->estimate(0);
+  EXPECT_NEAR(now.position.x, 250.0, 0.05);
+  EXPECT_NEAR(now.position.y, 20.0, 0.05);
+  EXPECT_NEAR(now.velocity.x, 4.0, 0.05);
+  EXPECT_NEAR(now.velocity.y, -3.0, 0.05);
+  bank->predict(1.0);
+  EXPECT_NEAR(bank->predicted_position(0).x, 254.0, 0.1);
+  EXPECT_NEAR(bank->predicted_position(0).y, 17.0, 0.1);
+}
+
+TEST_P(FilterContract, TwoStepsAtOnceAfterAMissingFrame) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({0.0, 0.0}, 20.0);
+  double time = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const double dt = i % 3 == 0 ? 2.0 : 1.0;
+    time += dt;
+    bank->predict(dt);
+    bank->correct(0, {5.0 * time, 0.0});
+  }
+  EXPECT_NEAR(bank->estimate(0).velocity.x, 5.0, 0.05);
+}
+
+TEST_P(FilterContract, SlotsDoNotTouchEachOther) {
+  const auto both = make_filter_bank(GetParam());
+  const auto alone = make_filter_bank(GetParam());
+  EXPECT_EQ(both->add({1.0, 1.0}, 10.0), 0);
+  EXPECT_EQ(both->add({50.0, 60.0}, 30.0), 1);
+  alone->add({50.0, 60.0}, 30.0);
+  for (int i = 1; i <= 12; ++i) {
+    both->predict(0.5);
+    alone->predict(0.5);
+    if (i % 2 == 0) both->correct(0, {1.0 + i, 1.0});
+    if (i % 3 != 0) {
+      both->correct(1, {50.0 - i, 60.0 + i});
+      alone->correct(0, {50.0 - i, 60.0 + i});
+    }
+  }
+  both->remove(0);  // slot 1 moves down to 0, and a younger one follows
+  EXPECT_EQ(both->add({1.0, 1.0}, 10.0), 1);
+  ASSERT_EQ(both->size(), 2);
+  for (int i = 0; i < 5; ++i) {
+    both->predict(0.5);
+    alone->predict(0.5);
+    both->correct(0, {40.0 - i, 70.0 + i});
+    alone->correct(0, {40.0 - i, 70.0 + i});
+  }
+  EXPECT_EQ(both->state(0), alone->state(0));
+  EXPECT_EQ(both->state_covariance(0), alone->state_covariance(0));
+  EXPECT_EQ(both->innovation_covariance_px2(0), alone->innovation_covariance_px2(0));
+}
+
+TEST_P(FilterContract, StateAndEstimateSayTheSame) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({3.0, 4.0}, 10.0);
+  bank->predict(1.0);
+  bank->correct(0, {5.0, 8.0});
+  const Estimate now = bank->estimate(0);
+  const Eigen::VectorXd x = bank->state(0);
+  EXPECT_EQ(x(0), now.position.x);
+  EXPECT_EQ(x(1), now.position.y);
+  EXPECT_EQ(x(2), now.velocity.x);
+  EXPECT_EQ(x(3), now.velocity.y);
+  const Eigen::MatrixXd P = bank->state_covariance(0);
+  if (P.size() == 0) {
+    EXPECT_EQ(now.covariance_px2, Symmetric2{});
+  } else {
+    EXPECT_EQ(now.covariance_px2, (Symmetric2{P(0, 0), P(0, 1), P(1, 1)}));
+  }
+}
+
+TEST_P(FilterContract, ASecondMeasurementOfTheSameTimeStaysFinite) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({3.0, 4.0}, 10.0);
+  bank->correct(0, {5.0, 8.0});
+  EXPECT_TRUE(bank->state(0).allFinite());
+}
+
+TEST_P(FilterContract, ClearForgetsAll) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({3.0, 4.0}, 10.0);
+  bank->clear();
+  EXPECT_EQ(bank->size(), 0);
+  EXPECT_EQ(bank->add({7.0, 8.0}, 10.0), 0);
+  EXPECT_EQ(bank->estimate(0).position, (Point{7.0, 8.0}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, FilterContract,
+                         testing::Values(FilterOptions{KalmanCvOptions{}}, FilterOptions{KalmanCaOptions{}},
+                                         FilterOptions{MeanVelocityOptions{}},
+                                         FilterOptions{MeanVelocityOptions{.window_steps = 5, .extrapolate_lost = true}}),
+                         [](const auto& tested) {
+                           const auto name = [](const auto& o) { return std::string(o.model); };
+                           return std::visit(name, tested.param) + "_" + std::to_string(tested.index);
+                         });
+
+/// Kalman filters of either model over a random run with missing measurements and changing sizes.
+class KalmanContract : public testing::TestWithParam<FilterOptions> {};
+
+TEST_P(KalmanContract, CovarianceStaysSymmetricAndPositiveOverManySteps) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> step(1e-3, 3.0), part(0.0, 1.0), size(1.0, 200.0);
+  std::normal_distribution<double> noise(0.0, 5.0);
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({0.0, 0.0}, 20.0);
+  double time = 0.0;
+  for (int i = 0; i < 10000; ++i) {
+    const double dt = step(random);
+    time += dt;
+    bank->predict(dt);
+    if (part(random) < 0.7) {
+      bank->correct(0, {30.0 * std::sin(0.1 * time) + noise(random), 0.5 * time + noise(random)});
+      bank->set_object_size(0, size(random));
+    }
+    const Eigen::MatrixXd P = bank->state_covariance(0);
+    ASSERT_LE((P - P.transpose()).cwiseAbs().maxCoeff(), 1e-12 * P.cwiseAbs().maxCoeff()) << "step " << i;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(P, Eigen::EigenvaluesOnly);
+    ASSERT_GT(solver.eigenvalues().minCoeff(), 0.0) << "step " << i;
+  }
+}
+
+TEST_P(KalmanContract, MeasuringLowersAndMissingRaisesTheVariance) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({0.0, 0.0}, 20.0);
+  for (int i = 0; i < 30; ++i) {
+    bank->predict(1.0);
+    bank->correct(0, {0.0, 0.0});
+  }
+  double before = bank->estimate(0).covariance_px2.xx;
+  for (int i = 0; i < 5; ++i) {
+    bank->predict(1.0);
+    const Symmetric2 now = bank->estimate(0).covariance_px2;
+    EXPECT_GT(now.xx, before);
+    EXPECT_GT(bank->innovation_covariance_px2(0).xx, now.xx);
+    before = now.xx;
+  }
+  bank->correct(0, {0.0, 0.0});
+  EXPECT_LT(bank->estimate(0).covariance_px2.xx, before);
+}
+
+TEST_P(KalmanContract, TwoHalfStepsAreOneStep) {
+  FilterOptions options = GetParam();
+  if (auto* cv = std::get_if<KalmanCvOptions>(&options)) cv->lost_damping_time = 0.0;
+  const auto whole = make_filter_bank(options);
+  const auto halves = make_filter_bank(options);
+  for (const auto& bank : {whole.get(), halves.get()}) {
+    bank->add({100.0, 50.0}, 20.0);
+    bank->predict(1.0);
+    bank->correct(0, {108.0, 47.0});
+  }
+  whole->predict(0.7);
+  halves->predict(0.35);
+  halves->predict(0.35);
+  EXPECT_TRUE(halves->state(0).isApprox(whole->state(0), 1e-12));
+  EXPECT_TRUE(halves->state_covariance(0).isApprox(whole->state_covariance(0), 1e-12));
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, KalmanContract,
+                         testing::Values(FilterOptions{KalmanCvOptions{}}, FilterOptions{KalmanCaOptions{}},
+                                         FilterOptions{KalmanCvOptions{.noise_unit = NoiseUnit::px}},
+                                         FilterOptions{KalmanCaOptions{.noise_unit = NoiseUnit::px}}));
+
+}  // namespace
+}  // namespace survtrack

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The survtrack developers
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstddef>
+#include <opencv2/core.hpp>
+#include <sstream>
+#include <string>
+
+#include "survtrack/pipeline/frame_result.hpp"
+
+namespace survtrack {
+
+/// Results as text that differs when any bit of them does.
+class Fingerprint {
+ public:
+  Fingerprint() { text_ << std::hexfloat; }
+
+  Fingerprint& operator<<(const Point& p) { return add(p.x, p.y); }
+  Fingerprint& operator<<(const Symmetric2& s) { return add(s.xx, s.xy, s.yy); }
+  Fingerprint& operator<<(const Color& c) { return add(c.blue, c.green, c.red); }
+  Fingerprint& operator<<(const Box& b) { return add(b.x, b.y, b.width, b.height); }
+  Fingerprint& operator<<(const Track& t) {
+    add("\ntrack", t.id, to_string(t.status), t.reported, t.detection, t.age_frames, t.matched_frames, t.lost_frames,
+        t.start_index, t.end_index, t.start_time_s, t.end_time_s);
+    return *this << t.box << t.position << t.velocity_px_per_s << t.position_covariance_px2 << t.predicted_position
+                 << t.mean_color;
+  }
+  Fingerprint& operator<<(const Event& e) {
+    add("\nevent", to_string(e.kind), e.index, e.time_s, e.track_id, e.text);
+    for (const auto id : e.other_track_ids) add(id);
+    return *this << e.position << e.box << e.position_covariance_px2;
+  }
+  Fingerprint& operator<<(const Detection& d) {
+    add("\ndetection", d.area_px, d.confidence, d.class_id, d.shared);
+    return *this << d.box << d.position << d.mean_color << d.moments_px2;
+  }
+  Fingerprint& operator<<(const cv::Mat& image) {
+    add("\nimage", image.rows, image.cols, image.type());
+    const cv::Mat whole = image.isContinuous() ? image : image.clone();
+    text_.write(reinterpret_cast<const char*>(whole.data),
+                static_cast<std::streamsize>(whole.total() * whole.elemSize()));
+    return *this;
+  }
+  Fingerprint& operator<<(const Detections& d) {
+    add("\ndetections", d.index, d.time_s, d.frame_width, d.frame_height, d.items.size(), d.contours.size());
+    for (const Detection& item : d.items) *this << item;
+    for (const Box& region : d.regions) *this << region;
+    for (const Event& event : d.events) *this << event;
+    return *this << d.mask << d.background;
+  }
+  Fingerprint& operator<<(const TrackingResult& r) {
+    add("\nresult", r.index, r.time_s, r.tracks.size(), r.tentative.size(), r.events.size());
+    for (const Track& track : r.tracks) *this << track;
+    for (const Track& track : r.tentative) *this << track;
+    for (const Event& event : r.events) *this << event;
+    for (const Match& m : r.matches.candidates) add("\nmatch", m.track, m.detection, m.track_id, m.cost, m.assigned);
+    add("\nassigned");
+    for (const int d : r.matches.detection_of_track) add(d);
+    for (const int t : r.matches.track_of_detection) add(t);
+    add("\ncosts", r.costs.rows(), r.costs.columns());
+    for (int i = 0; i < r.costs.rows(); ++i) {
+      for (int j = 0; j < r.costs.columns(); ++j) add(r.costs(i, j));
+    }
+    return *this;
+  }
+  std::string text() const { return text_.str(); }
+
+ private:
+  template <class... Values>
+  Fingerprint& add(const Values&... values) {
+    ((text_ << values << ' '), ...);
+    return *this;
+  }
+  std::ostringstream text_;
+};
+
+inline std::string fingerprint(const TrackingResult& result) { return (Fingerprint() << result).text(); }
+
+inline std::string fingerprint(const Detections& detections) { return (Fingerprint() << detections).text(); }
+
+inline std::string fingerprint(const FrameResult& result) {
+  Fingerprint print;
+  print << static_cast<const TrackingResult&>(result) << result.detections << result.frame;
+  return print.text();
+}
+
+}  // namespace survtrack

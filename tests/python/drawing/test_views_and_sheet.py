@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""Views alone and side by side, and several pictures in one."""
+
+import numpy as np
+import pytest
+
+from clips import walking_square
+from fakes import Box, Track, result_of
+from survtrack.drawing import VIEW_NAMES, Views, contact_sheet
+from survtrack.errors import UsageError
+
+FRAME = walking_square(3, width=160, height=120, side=30)[2]
+RESULT = result_of(FRAME, 2, Track(1, Box(8, 40, 30, 30)), background=np.full_like(FRAME, 77))
+# Below the captions, above the bottom edge.
+INSIDE = slice(30, 118)
+
+
+def test_a_single_view_has_the_size_of_the_frame() -> None:
+    for name in VIEW_NAMES:
+        assert Views([name])(FRAME, RESULT).shape == FRAME.shape
+
+
+def test_each_view_shows_what_it_says() -> None:
+    assert np.array_equal(Views(["frame"])(FRAME, RESULT)[INSIDE], FRAME[INSIDE])
+    assert (Views(["background"])(FRAME, RESULT)[INSIDE] == 77).all()
+    mask = Views(["mask"])(FRAME, RESULT)[INSIDE]
+    assert np.array_equal(mask[..., 0], RESULT.mask[INSIDE])
+    assert set(np.unique(mask)) == {0, 255}
+    tracks = Views(["tracks"])(FRAME, RESULT)
+    changed = (tracks != FRAME).any(axis=2)[INSIDE]
+    assert 20 < changed.sum() < 0.3 * changed.size
+
+
+def test_drawing_leaves_the_frame_and_the_result_alone() -> None:
+    frame, mask = FRAME.copy(), RESULT.mask.copy()
+    Views(VIEW_NAMES)(FRAME, RESULT)
+    assert np.array_equal(frame, FRAME)
+    assert np.array_equal(mask, RESULT.mask)
+    assert (RESULT.background == 77).all()
+
+
+@pytest.mark.parametrize(("count", "columns", "rows"), [(1, 1, 1), (2, 2, 1), (3, 3, 1), (4, 2, 2)])
+def test_views_stand_side_by_side(count: int, columns: int, rows: int) -> None:
+    names = VIEW_NAMES[:count]
+    picture = Views(names)(FRAME, RESULT)
+    assert picture.shape == (120 * rows, 160 * columns, 3)
+    for k, name in enumerate(names):
+        top, left = k // columns * 120, k % columns * 160
+        alone = Views([name])(FRAME, RESULT)
+        shown = picture[top : top + 120, left : left + 160]
+        assert np.array_equal(shown[INSIDE], alone[INSIDE])
+
+
+def test_grey_frames_are_drawn_on_in_colour() -> None:
+    grey = np.ascontiguousarray(FRAME[..., 1])
+    picture = Views()(grey, result_of(grey, 0, Track(1, Box(8, 40, 30, 30))))
+    assert picture.shape == (120, 160, 3)
+    assert (picture[..., 0] != picture[..., 2]).any()
+
+
+def test_tiny_frames_can_be_drawn_on() -> None:
+    dot = np.zeros((1, 1, 3), np.uint8)
+    assert Views(["tracks", "mask"])(dot, result_of(dot, 0, Track(1, Box(0, 0, 1, 1)))).shape == (
+        (1, 2, 3)
+    )
+
+
+def test_what_cannot_be_shown_is_named() -> None:
+    with pytest.raises(UsageError, match='views: unknown "trakcs"; one of: frame, mask'):
+        Views(["trakcs"])
+    with pytest.raises(UsageError, match=r"views: \['mask', 'mask'\] is not allowed"):
+        Views(["mask", "mask"])
+    with pytest.raises(UsageError, match=r"views: \[\] is not allowed"):
+        Views([])
+    with pytest.raises(UsageError, match="background cannot be shown"):
+        Views(["background"])(FRAME, result_of(FRAME))
+
+
+def test_a_contact_sheet_has_rows_of_pictures() -> None:
+    pictures = [np.full((20, 30, 3), 10 * k, np.uint8) for k in range(1, 6)]
+    sheet = contact_sheet(pictures)
+    assert sheet.shape == (44, 98, 3)
+    for k, picture in enumerate(pictures):
+        top, left = k // 3 * 24, k % 3 * 34
+        assert np.array_equal(sheet[top : top + 20, left : left + 30], picture)
+    assert len(np.unique(sheet[24:, 68:])) == 1
+    assert contact_sheet(pictures[:2], columns=3).shape == (20, 64, 3)
+    assert contact_sheet([picture[..., 0] for picture in pictures], columns=1).shape == (
+        (116, 30, 3)
+    )
+
+
+def test_a_contact_sheet_of_what_does_not_fit() -> None:
+    with pytest.raises(UsageError, match="at least one is needed"):
+        contact_sheet([])
+    with pytest.raises(UsageError, match="sizes differ"):
+        contact_sheet([FRAME, FRAME[:50]])
+    with pytest.raises(UsageError, match="columns: 0 is not allowed"):
+        contact_sheet([FRAME], columns=0)
