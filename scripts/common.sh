@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+PYTHON=${PYTHON:-python3}
 VENV=$PWD/.venv
 BUILD=$PWD/build/release
 STAMPS=$PWD/build/stamps

@@ -3,11 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the Debian packages that are missing.
 source "$(dirname "$0")/common.sh"
-PYTHON=${PYTHON:-python3}
 
-command -v "$PYTHON" >/dev/null || fail "no $PYTHON; set PYTHON to a Python 3.11 or newer"
-"$PYTHON" -c 'import sys; sys.exit(sys.version_info < (3, 11))' ||
-  fail "$("$PYTHON" --version) is too old; set PYTHON to a Python 3.11 or newer"
 command -v dpkg-query >/dev/null ||
   fail "this is not Debian; install what scripts/debian-packages.txt lists, then build with pip"
 

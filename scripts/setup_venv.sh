@@ -3,16 +3,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes .venv with the Python packages that pyproject.toml and scripts/python-no-deps.txt name.
 source "$(dirname "$0")/common.sh"
-PYTHON=${PYTHON:-python3}
 
-key="$(hash_of pyproject.toml scripts/python-no-deps.txt) $("$PYTHON" -VV | tr '\n' ' ')"
+version=$("$PYTHON" -VV | tr '\n' ' ')
+key="$(hash_of pyproject.toml scripts/python-no-deps.txt) $version"
 if done_before venv "$key" && [ -x "$VENV/bin/python" ]; then
   say "Python packages: all there"
   exit 0
 fi
 
 say "Python packages: $("$PYTHON" --version) in $VENV"
-"$PYTHON" -m venv "$VENV"
+# An environment of another Python is made anew.
+clear=(--clear)
+[ "$("$VENV/bin/python" -VV 2>/dev/null | tr '\n' ' ')" != "$version" ] || clear=()
+"$PYTHON" -m venv "${clear[@]}" "$VENV"
 mapfile -t requirements < <("$VENV/bin/python" scripts/requirements.py)
 "$VENV/bin/pip" install --quiet --disable-pip-version-check "${requirements[@]}"
 "$VENV/bin/pip" install --quiet --disable-pip-version-check --no-deps -r scripts/python-no-deps.txt

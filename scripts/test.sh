@@ -29,6 +29,6 @@ step "set-up" bash scripts/setup.sh
 step "style and types" bash scripts/lint.sh
 step "C++ tests" release
 step "C++ tests under sanitizers" sanitize
-step "Python tests" "$VENV/bin/python" -m pytest -q
+step "Python tests" "$VENV/bin/python" -m pytest -q --numprocesses "$CMAKE_BUILD_PARALLEL_LEVEL"
 step "documentation" bash scripts/docs.sh
 say "all passed in $SECONDS s"

@@ -19,6 +19,11 @@ Json json_of(const py::handle& value);
 py::object object_of(const Json& json);
 [[noreturn]] void refuse_assignment(const std::string& option);
 
+template <class Struct, class = void>
+struct has_model : std::false_type {};
+template <class Struct>
+struct has_model<Struct, std::void_t<decltype(Struct::model)>> : std::true_type {};
+
 template <class Value>
 py::object python_value(const Value& value) {
   if constexpr (is_variant<Value>::value) {
@@ -119,8 +124,14 @@ py::class_<Struct> bind_option_struct(py::module_& module, const char* name, con
       "replace", [path](const Struct& self, const py::kwargs& k) { return struct_from_keywords(self, k, path); },
       ("replace(self, **options: object) -> " + path + "\n\nA copy with some options changed.").c_str());
   cls.def(
-      "to_dict", [](const Struct& self) { return object_of(options_json::value_to_json(self)); },
-      "to_dict(self) -> dict[str, object]\n\nAll options by name.");
+      "to_dict",
+      [](const Struct& self) {
+        Json object = Json::object();
+        if constexpr (has_model<Struct>::value) object["model"] = Struct::model;
+        object.update(options_json::struct_to_json(self));
+        return object_of(object);
+      },
+      "to_dict(self) -> dict[str, object]\n\nAll options by name, and the model's name if it is one of several.");
   cls.def(
       "__repr__",
       [path](const Struct& self) {

@@ -107,6 +107,12 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
                      " is not the time given to predict() before; expected one update after each predict");
   }
   predicted_ = false;
+  const std::size_t entries = static_cast<std::size_t>(table_.size()) * detections.items.size();
+  constexpr std::size_t most_entries = 1'000'000;
+  if (outputs_.cost_matrix && entries > most_entries) {
+    throw InputError("outputs.cost_matrix: the matrix of " + std::to_string(table_.size()) + " tracks by " +
+                     std::to_string(detections.items.size()) + " detections has more than 1000000 entries; expected false");
+  }
   matcher_.match(table_, detections, result.matches);
   was_lost_.assign(static_cast<std::size_t>(table_.size()), 0);
   for (int i = 0; i < table_.size(); ++i) {

@@ -63,6 +63,17 @@ TEST(KalmanCv, AGrownObjectIsMeasuredLessSurely) {
   EXPECT_NEAR(bank->innovation_covariance_px2(0).xx - small, 8.0, 1e-12);  // R grew from 1 to 9
 }
 
+TEST(KalmanCv, ALessCertainMeasurementCountsLess) {
+  const auto bank = make_filter_bank(cv_in_px());
+  bank->add({0.0, 0.0}, 1.0);
+  bank->predict(1.0);
+  // S = 16/3 + 1 + 19/3 in x: half the gain of OneStepWorkedByHand.
+  EXPECT_NEAR(bank->innovation_covariance_px2(0, {19.0 / 3.0, 0.0, 0.0}).xx, 38.0 / 3.0, 1e-13);
+  bank->correct(0, {2.0, 2.0}, {19.0 / 3.0, 0.0, 0.0});
+  EXPECT_NEAR(bank->estimate(0).position.x, 16.0 / 19.0, 1e-13);
+  EXPECT_NEAR(bank->estimate(0).position.y, 32.0 / 19.0, 1e-13);
+}
+
 TEST(KalmanCv, TheVelocityOfAnUnmatchedTrackDecays) {
   KalmanCvOptions options = cv_in_px();
   options.lost_damping_time = 4.0;

@@ -50,11 +50,12 @@ TEST(ConfigText, EveryOptionRoundTripsWithAnotherValue) {
 }
 
 TEST(ConfigText, NumbersKeepEveryBit) {
-  for (const double value : {1.0 / 3.0, std::nextafter(0.1, 1.0), 1e-300, 5e-324, 3600.0}) {
+  const auto max_match = [](const Config& config) { return std::get<MatchMatrixOptions>(config.cost).max_match; };
+  for (const double value : {1.0 / 3.0, std::nextafter(0.1, 1.0), 1e-300, 5e-324, 1e22, 1.7976931348623157e308}) {
     Config config;
-    config.time_unit_s = value;
-    EXPECT_EQ(Config::from_toml(config.to_toml()).time_unit_s, value);
-    EXPECT_EQ(Config::from_json(config.to_json()).time_unit_s, value);
+    config.cost = MatchMatrixOptions{.max_match = value};
+    EXPECT_EQ(max_match(Config::from_toml(config.to_toml())), value);
+    EXPECT_EQ(max_match(Config::from_json(config.to_json())), value);
   }
 }
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "../error_message.hpp"
 #include "scene_run.hpp"

@@ -76,7 +76,7 @@ inline Config scene_config() {
                                   .initial_velocity = 1.0,
                                   .lost_damping_time = 2.0};
   config.measurement = BoxCenterOptions{.size_time_s = 0.5};
-  config.cost = GaussianCostOptions{.gate = 16.0, .size_weight = 1.0};
+  config.cost = GaussianCostOptions{.gate = 16.0};
   config.assignment = HungarianOptions{.confirmed_first = true};
   config.lifecycle = ConfirmAndLoseOptions{.confirm_matches = 3,
                                            .confirm_s = 0.25,

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "../error_message.hpp"
 #include "../tracking/box_run.hpp"
@@ -98,6 +100,21 @@ TEST(TrackerOnBoxes, ExpectationSaysWhereTracksWillBe) {
     EXPECT_GT(track.innovation_covariance_px2.xx, 0.0);
     EXPECT_NEAR(track.lost_s, 0.1, 1e-12);  // since frame 19
     EXPECT_EQ(track.velocity_px_per_s, result.tracks[i].velocity_px_per_s);
+  }
+}
+
+TEST(TrackerOnBoxes, LearnsTheScaleOfASceneWhoseSizeIsKnown) {
+  for (const int frame_height : {300, 0}) {
+    Tracker tracker(scene_config());
+    for (int i = 0; i < 250; ++i) {
+      const std::vector<Box> boxes = {{20.0 + i, 160.0, 20.0, 40.0}, {20.0 + i, 40.0, 10.0, 20.0}};
+      tracker.process(detections_of(boxes, 0.1 * i, i, frame_height == 0 ? 0 : 400, frame_height));
+    }
+    const SceneScale scale = tracker.predict(25.0).scale;
+    ASSERT_EQ(scale.known, frame_height != 0);
+    if (!scale.known) continue;
+    EXPECT_NEAR(scale.height_px(200.0), 40.0, 4.0);
+    EXPECT_NEAR(scale.height_px(60.0), 20.0, 4.0);
   }
 }
 

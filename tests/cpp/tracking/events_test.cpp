@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "box_run.hpp"
 
 namespace survtrack {
@@ -17,7 +21,7 @@ Config config_of_two_matches() {
                                   .initial_velocity = 50.0,
                                   .lost_damping_time = 0.0};
   config.measurement = BoxCenterOptions{.size_time_s = 0.5};
-  config.cost = GaussianCostOptions{.gate = 20.0, .size_weight = 1.0};
+  config.cost = GaussianCostOptions{.gate = 20.0};
   config.assignment = HungarianOptions{.confirmed_first = true};
   config.lifecycle = ConfirmAndLoseOptions{.confirm_matches = 2,
                                            .confirm_s = 0.0,
@@ -74,7 +78,7 @@ TEST(Events, TheDetectorsComeFirst) {
   Tracker tracker(config_of_two_matches());
   tracker.process(detections_of({here}, 0.0, 0));
   Detections detections = detections_of({here}, 0.1, 1);
-  detections.events.push_back({.kind = EventKind::scene_changed, .text = "the scene changed"});
+  detections.events.emplace_back().kind = EventKind::scene_changed;
   EXPECT_EQ(events_of(tracker.process(detections)), "scene_changed 0, track_started 1");
 }
 

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
+#include <vector>
 
 #include "box_run.hpp"
 
@@ -87,7 +89,7 @@ TEST(LostCount, NumbersAreNeverReused) {
   for (std::int64_t i = 1; i <= 6; ++i) {
     const TrackingResult& result = run.frame({i % 2 == 0 ? left : right});
     EXPECT_EQ(result.tracks.back().id, i);
-    EXPECT_EQ(result.tracks.back().start_index, i - 1);
+    EXPECT_EQ(result.tracks.back().start_index, 2 * (i - 1));
     seen.insert(result.tracks.back().id);
     run.frame({});
   }

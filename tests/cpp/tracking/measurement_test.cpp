@@ -42,12 +42,13 @@ TEST(Measurement, TheCentresBoxHasTheLearnedSize) {
 }
 
 TEST(Measurement, SizeIsAPlainMeanAtFirstAndOneWithATimeConstantLater) {
-  const BoxCenterOptions options{.size_time_s = 0.5};
+  BoxCenterOptions options;
+  options.size_time_s = 0.5;
   OpenTrack track = open_track(10.0, 10.0);
-  EXPECT_TRUE(learn_size(options, track, detection_of({0.0, 0.0, 20.0, 40.0}, {}), 0.05));
+  learn_size(options, track, detection_of({0.0, 0.0, 20.0, 40.0}, {}), 0.05);
   EXPECT_NEAR(track.width_px, 15.0, 1e-12);
   EXPECT_NEAR(track.height_px, 25.0, 1e-12);
-  EXPECT_TRUE(learn_size(options, track, detection_of({0.0, 0.0, 30.0, 25.0}, {}), 0.05));
+  learn_size(options, track, detection_of({0.0, 0.0, 30.0, 25.0}, {}), 0.05);
   EXPECT_NEAR(track.width_px, 20.0, 1e-12);
   track.size_samples = 1000;
   learn_size(options, track, detection_of({0.0, 0.0, 30.0, 25.0}, {}), 0.05);
@@ -56,16 +57,60 @@ TEST(Measurement, SizeIsAPlainMeanAtFirstAndOneWithATimeConstantLater) {
   EXPECT_NEAR(track.width_px, 70.0, 1e-12);  // never beyond what is seen
 }
 
-TEST(Measurement, NothingIsLearnedFromSharesAndInGroups) {
-  OpenTrack track = open_track(10.0, 10.0);
-  Detection detection = detection_of({0.0, 0.0, 30.0, 30.0}, {});
+Detection share_of(const Box& box) {
+  Detection detection = detection_of(box, {});
   detection.shared = true;
-  EXPECT_FALSE(learn_size(BoxCenterOptions{}, track, detection, 0.1));
-  detection.shared = false;
-  track.grouped = true;
-  EXPECT_FALSE(learn_size(BoxCenterOptions{}, track, detection, 0.1));
-  EXPECT_EQ(track.width_px, 10.0);
-  EXPECT_EQ(track.size_samples, 1);
+  return detection;
+}
+
+TEST(Measurement, SharesTeachSizeByTheirWeight) {
+  BoxCenterOptions options;
+  options.size_time_s = 1.0;
+  options.shared_size_gain = 0.2;
+  OpenTrack track = open_track(10.0, 10.0);
+  track.size_samples = 1000;
+  learn_size(options, track, share_of({0.0, 0.0, 20.0, 20.0}), 0.5);
+  EXPECT_NEAR(track.width_px, 11.0, 1e-12);
+  options.shared_size_gain = 0.0;
+  learn_size(options, track, share_of({0.0, 0.0, 20.0, 20.0}), 0.5);
+  EXPECT_NEAR(track.width_px, 11.0, 1e-12);
+}
+
+TEST(Measurement, ABoxOfItsOwnIsSeenWhole) {
+  const OpenTrack track = open_track(20.0, 40.0);
+  const Detection half = detection_of({50.0, 60.0, 10.0, 40.0}, {});
+  const Observation seen = observe(BoxCenterOptions{}, track, {60.0, 80.0}, half);
+  EXPECT_EQ(seen.position, (Point{55.0, 80.0}));
+  EXPECT_EQ(seen.extra_px2, Symmetric2{});
+}
+
+TEST(Measurement, AShareShowsTheEdgeThatFitsThePrediction) {
+  BoxCenterOptions options;
+  options.hidden_below = 0.85;
+  const OpenTrack track = open_track(20.0, 40.0);
+  const Detection half = share_of({50.0, 60.0, 10.0, 40.0});
+  // Its left edge at 50 tells of a centre at 60, its right edge at 60 of one at 50.
+  const Observation right_hidden = observe(options, track, {59.0, 80.0}, half);
+  EXPECT_EQ(right_hidden.position, (Point{60.0, 80.0}));
+  EXPECT_EQ(right_hidden.extra_px2, (Symmetric2{25.0, 0.0, 0.0}));
+  EXPECT_EQ(observe(options, track, {51.0, 80.0}, half).position, (Point{50.0, 80.0}));
+}
+
+TEST(Measurement, AShareOfNearlyFullSizeIsTakenAsItIs) {
+  BoxCenterOptions options;
+  options.hidden_below = 0.85;
+  const OpenTrack track = open_track(20.0, 40.0);
+  const Observation seen = observe(options, track, {70.0, 80.0}, share_of({50.0, 60.0, 18.0, 44.0}));
+  EXPECT_EQ(seen.position, (Point{59.0, 82.0}));
+  EXPECT_EQ(seen.extra_px2, (Symmetric2{1.0, 0.0, 4.0}));
+}
+
+TEST(Measurement, ACentroidIsNeverInferred) {
+  Detection share = share_of({50.0, 60.0, 10.0, 40.0});
+  share.position = {54.0, 77.0};
+  const Observation seen = observe(CentroidOptions{}, open_track(20.0, 40.0), {60.0, 80.0}, share);
+  EXPECT_EQ(seen.position, (Point{54.0, 77.0}));
+  EXPECT_EQ(seen.extra_px2, Symmetric2{});
 }
 
 TEST(Measurement, SizeIsTheRootOfTheArea) { EXPECT_EQ(open_track(9.0, 16.0).size_px(), 12.0); }

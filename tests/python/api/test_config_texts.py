@@ -99,11 +99,17 @@ def test_choosing_a_model_resets_its_options() -> None:
         ("filter.model=kalmann", r'filter\.model: unknown "kalmann"; one of: kalman_cv, kalman_ca'),
         ("filter.model", r'"filter\.model" is not allowed; expected option=value'),
         ("=3", '"=3" is not allowed; expected option=value'),
-        ("", "expected option=value"),
+        ("", '"" is not allowed; expected option=value'),
         ("treshold=3", "treshold: unknown option; one of: time_unit_s, segmenter"),
         ("filter=3", "filter: 3 is not allowed; expected a table"),
-        ("filter.position_noise=abc", r'filter\.position_noise: "abc" is not allowed; expected a n'),
-        ("filter.position_noise=-1", r"filter\.position_noise: -1 is not allowed; expected above 0"),
+        (
+            "filter.position_noise=abc",
+            r'filter\.position_noise: "abc" is not allowed; expected a n',
+        ),
+        (
+            "filter.position_noise=-1",
+            r"filter\.position_noise: -1 is not allowed; expected above 0",
+        ),
         ("filter.position_noise=nan", r"filter\.position_noise: nan is not allowed"),
         ("filter.position_noise=true", r"filter\.position_noise: true is not allowed"),
         ("cleanup.median_px=5.0", r"cleanup\.median_px: 5\.0 is not allowed; expected an integer"),
@@ -111,7 +117,10 @@ def test_choosing_a_model_resets_its_options() -> None:
         ("cleanup.median_px=[5]", r"cleanup\.median_px: \[5\] is not allowed"),
         ("cleanup..median_px=5", r"cleanup\.: unknown option"),
         ("segmenter.window=causal", r"segmenter\.window: unknown option; one of: threshold"),
-        ("outputs.background=yes", r'outputs\.background: "yes" is not allowed; expected true or f'),
+        (
+            "outputs.background=yes",
+            r'outputs\.background: "yes" is not allowed; expected true or f',
+        ),
     ],
 )
 def test_a_refused_setting_is_named_and_leaves_the_config(setting: str, message: str) -> None:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Results: what they hold, that their forms agree, and that nothing later changes them."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -71,7 +72,8 @@ def test_the_mask_is_of_the_frame_before_blobs(results: list[survtrack.FrameResu
     x, y, width, height = (int(value) for value in detection.box)
     blob = results[40].mask[y : y + height, x : x + width] > 0
     assert np.count_nonzero(blob) == detection.area_px
-    assert detection.position == pytest.approx(tuple(np.argwhere(blob).mean(axis=0)[::-1] + (x, y)))
+    rows_down, columns_right = np.argwhere(blob).mean(axis=0)
+    assert detection.position == pytest.approx((x + columns_right, y + rows_down))
     assert detection.mean_color == pytest.approx(
         tuple(results[40].frame[y : y + height, x : x + width][blob].mean(axis=0))
     )
@@ -103,7 +105,14 @@ def test_arrays_say_the_same_as_objects(results: list[survtrack.FrameResult]) ->
         for row, one in zip(result.detection_array, result.detections, strict=True):
             M = one.moments_px2
             expected = (*one.box, *one.position, one.area_px, *one.mean_color)
-            assert tuple(row) == (*expected, M[0, 0], M[0, 1], M[1, 1], one.confidence, one.class_id)
+            assert tuple(row) == (
+                *expected,
+                M[0, 0],
+                M[0, 1],
+                M[1, 1],
+                one.confidence,
+                one.class_id,
+            )
 
 
 def test_a_detections_object_is_a_sequence(results: list[survtrack.FrameResult]) -> None:
@@ -148,7 +157,7 @@ def test_a_track_ends_once_and_its_id_is_not_used_again() -> None:
 def test_matches_name_the_rows_of_tracks_and_detections(
     results: list[survtrack.FrameResult],
 ) -> None:
-    for before, result in zip(results, results[1:], strict=False):
+    for before, result in pairwise(results):
         for match in result.matches:
             assert 0 <= match.detection < len(result.detections)
             assert np.isfinite(match.cost)

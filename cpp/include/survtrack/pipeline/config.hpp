@@ -27,7 +27,7 @@ struct OutputOptions {
     return std::make_tuple(
         field("background", &O::background, "", "the background picture of every frame"),
         field("contours", &O::contours, "", "the outer contour of every blob"),
-        field("cost_matrix", &O::cost_matrix, "", "the whole matrix of costs, tracks by detections"));
+        field("cost_matrix", &O::cost_matrix, "", "the whole matrix of costs, tracks by detections; at most a million entries"));
   }
 };
 

@@ -1,0 +1,221 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""Filter banks: the Kalman ones against filterpy, all against their contract."""
+
+import math
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import survtrack
+from survtrack import FilterBank, InputError
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    from filterpy.common import Q_continuous_white_noise
+    from filterpy.kalman import KalmanFilter
+
+Array = NDArray[np.float64]
+CV = survtrack.KalmanCvOptions(
+    noise_unit="px",
+    velocity_noise=1.3,
+    position_noise=2.1,
+    initial_velocity=4.0,
+    lost_damping_time=0,
+)
+CA = survtrack.KalmanCaOptions(
+    noise_unit="px",
+    acceleration_noise=0.7,
+    position_noise=1.9,
+    initial_velocity=3.0,
+    initial_acceleration=0.8,
+)
+STEPS = [1.0, 1.0, 0.5, 2.0, 1.0, 0.04, 3.0, 1.0, 1.0, 0.1]
+ALL_OPTIONS = [
+    CV,
+    CA,
+    survtrack.KalmanCvOptions(),
+    survtrack.KalmanCaOptions(),
+    survtrack.MeanVelocityOptions(),
+    survtrack.MeanVelocityOptions(extrapolate_lost=True),
+]
+
+
+def reference(options: Any, start: Array) -> KalmanFilter:
+    """The same filter by filterpy: state (x, y), then their derivatives."""
+    order = 2 if isinstance(options, survtrack.KalmanCvOptions) else 3
+    deviations = [options.position_noise, options.initial_velocity]
+    if order == 3:
+        deviations.append(options.initial_acceleration)
+    other = KalmanFilter(dim_x=2 * order, dim_z=2)
+    other.x = np.concatenate([start, np.zeros(2 * order - 2)])
+    other.P = np.diag(np.repeat(deviations, 2) ** 2.0)
+    other.R = np.eye(2) * options.position_noise**2
+    other.H = np.eye(2, 2 * order)
+    return other
+
+
+def move(other: KalmanFilter, options: Any, dt: float) -> None:
+    order = other.dim_x // 2
+    one_axis = np.array([[1, dt, dt * dt / 2], [0, 1, dt], [0, 0, 1]])[:order, :order]
+    noise = options.velocity_noise if order == 2 else options.acceleration_noise
+    Q = Q_continuous_white_noise(order, dt, noise**2)
+    other.predict(F=np.kron(one_axis, np.eye(2)), Q=np.kron(Q, np.eye(2)))
+
+
+@pytest.mark.parametrize("options", [CV, CA], ids=["CV", "CA"])
+def test_a_bank_is_filterpys_filters(options: Any) -> None:
+    random = np.random.default_rng(5)
+    starts = random.uniform(0, 500, (7, 2))
+    bank = FilterBank(options)
+    others = [reference(options, start) for start in starts]
+    assert [bank.add(x, y) for x, y in starts] == list(range(7))
+    for dt in STEPS:
+        bank.predict(dt)
+        measured = bank.positions + random.normal(0, 3, (7, 2))
+        measured[random.random(7) < 0.3] = math.nan
+        for slot, other in enumerate(others):
+            move(other, options, dt)
+            S = other.H @ other.P @ other.H.T + other.R
+            assert bank.innovation_covariances_px2[slot] == pytest.approx(S, rel=1e-9)
+            assert bank.predicted_positions[slot] == pytest.approx(other.x[:2], rel=1e-9)
+            if not np.isnan(measured[slot]).any():
+                other.update(measured[slot])
+        bank.correct(measured)
+        for slot, other in enumerate(others):
+            P = bank.state_covariance(slot)
+            assert bank.state(slot) == pytest.approx(other.x, rel=1e-9, abs=1e-9)
+            assert pytest.approx(other.P, rel=1e-9, abs=1e-9) == P
+            assert pytest.approx(P.T, rel=1e-12) == P and np.linalg.eigvalsh(P).min() > 0
+            assert np.array_equal(P, P.T) or np.isnan(measured[slot]).any()
+            assert np.array_equal(bank.positions[slot], bank.state(slot)[:2])
+            assert np.array_equal(bank.velocities[slot], bank.state(slot)[2:4])
+            assert np.array_equal(bank.position_covariances_px2[slot], P[:2, :2])
+
+
+def test_noises_relative_to_the_objects_size_scale_all() -> None:
+    relative = CV.replace(noise_unit="object_size")
+    one, large = FilterBank(CV), FilterBank(relative)
+    one.add(0, 0)
+    large.add(0, 0, object_size_px=8)
+    for dt, x in zip(STEPS, range(10), strict=True):
+        one.predict(dt)
+        large.predict(dt)
+        one.correct([[x, -x]])
+        large.correct([[8 * x, -8 * x]])
+        assert large.state(0) == pytest.approx(8 * one.state(0), rel=1e-9)
+        assert large.state_covariance(0) == pytest.approx(64 * one.state_covariance(0), rel=1e-9)
+
+
+def test_the_velocity_of_a_lost_track_falls() -> None:
+    bank = FilterBank(survtrack.KalmanCvOptions(lost_damping_time=2.0))
+    bank.add(0, 0, object_size_px=10)
+    for k in range(1, 30):
+        bank.predict(1)
+        bank.correct([[5.0 * k, 0]])
+    bank.predict(1)  # the first step is still a matched track's
+    speed = bank.velocities[0, 0]
+    assert speed == pytest.approx(5, abs=0.1)
+    bank.predict(2)
+    assert bank.velocities[0, 0] == pytest.approx(speed / math.e, rel=1e-12)
+
+
+def test_the_mean_velocity_of_the_last_steps() -> None:
+    bank = FilterBank(survtrack.MeanVelocityOptions(window_steps=3))
+    bank.add(0, 0)
+    places = [(1, 0), (3, 0), (6, 3), (10, 6)]
+    for place in places:
+        bank.predict(1)
+        bank.correct([place])
+        assert bank.positions.tolist() == [list(place)]
+    assert bank.velocities.tolist() == [[(10 - 1) / 3, 6 / 3]]
+    bank.predict(1)
+    assert bank.predicted_positions.tolist() == [[13, 8]]
+    bank.predict(1)
+    assert bank.predicted_positions.tolist() == [[13, 8]], "a lost track's prediction stays"
+    assert bank.positions.tolist() == [[10, 6]]
+    bank.correct([[19, 6]])  # after two units
+    assert bank.velocities.tolist() == pytest.approx(np.array([[16 / 4, 6 / 4]]))
+    assert bank.state_covariance(0).shape == (0, 0)
+
+
+@pytest.mark.parametrize("options", ALL_OPTIONS, ids=lambda options: options.model)
+def test_all_banks_converge_and_stay_finite(options: Any) -> None:
+    bank = FilterBank(options)
+    bank.add(0, 0, object_size_px=20)
+    bank.correct([[0.0, 0.0]])  # a second look at the same time
+    for k in range(1, 200):
+        bank.predict(0.5)
+        bank.correct([[1.5 * k, -0.5 * k]])
+    assert bank.positions == pytest.approx(np.array([[1.5 * 199, -0.5 * 199]]), abs=1e-3)
+    assert bank.velocities == pytest.approx(np.array([[3.0, -1.0]]), abs=1e-3)
+    for _ in range(1000):
+        bank.predict(10)
+    values = (bank.positions, bank.velocities, bank.state(0), bank.innovation_covariances_px2)
+    assert all(np.isfinite(value).all() for value in values)
+
+
+@pytest.mark.parametrize("options", ALL_OPTIONS, ids=lambda options: options.model)
+def test_slots_move_down_when_one_is_removed(options: Any) -> None:
+    bank = FilterBank(options)
+    assert (len(bank), bank.positions.shape, bank.velocities.shape) == (0, (0, 2), (0, 2))
+    assert bank.position_covariances_px2.shape == bank.innovation_covariances_px2.shape == (0, 2, 2)
+    bank.predict(1)
+    bank.correct(np.zeros((0, 2)))
+    for slot in range(4):
+        assert bank.add(slot, 10 * slot) == slot
+    bank.remove(1)
+    assert len(bank) == 3 and bank.positions.tolist() == [[0, 0], [2, 20], [3, 30]]
+    assert bank.add(7, 70) == 3
+    alone = FilterBank(options)
+    alone.add(2, 20)
+    for k in range(5):
+        bank.predict(1)
+        alone.predict(1)
+        bank.correct([[0, 0], [2 + k, 20], [3, 30], [7, 70]])
+        alone.correct([[2 + k, 20]])
+    assert np.array_equal(bank.state(1), alone.state(0))
+    assert np.array_equal(bank.state_covariance(1), alone.state_covariance(0))
+
+
+BAD_CALLS: dict[str, tuple[Any, str]] = {
+    "position": (lambda bank: bank.add(math.nan, 0), "position: expected finite"),
+    "infinite": (lambda bank: bank.add(0, math.inf), "position: expected finite"),
+    "size": (lambda bank: bank.add(0, 0, object_size_px=0), "object_size_px: 0.0+ is not allowed"),
+    "NaN size": (lambda bank: bank.add(0, 0, object_size_px=math.nan), "object_size_px: nan"),
+    "dt 0": (lambda bank: bank.predict(0), "dt: 0.0+ is not allowed; expected a number above 0"),
+    "dt -1": (lambda bank: bank.predict(-1), "dt: -1.0+ is not allowed"),
+    "dt NaN": (lambda bank: bank.predict(math.nan), "dt: nan is not allowed"),
+    "long dt": (lambda bank: bank.predict(1e9), "dt: .* at most 1e6"),
+    "rows": (lambda bank: bank.correct(np.zeros((3, 2))), r"measured: .* shape \(2, 2\)"),
+    "columns": (lambda bank: bank.correct(np.zeros((2, 3))), r"measured: .* shape \(2, 2\)"),
+    "flat": (lambda bank: bank.correct([1.0, 2.0]), r"measured: .* shape \(2, 2\)"),
+    "inf row": (lambda bank: bank.correct([[1, 2], [math.inf, 2]]), "measured: row 1 is "),
+    "half a row": (lambda bank: bank.correct([[math.nan, 2], [1, 2]]), "measured: row 0 is "),
+    "slot 2": (lambda bank: bank.state(2), "slot: 2 is not allowed; the bank has 2 filters"),
+    "slot -1": (lambda bank: bank.state_covariance(-1), "slot: -1 is not allowed"),
+    "remove 2": (lambda bank: bank.remove(2), "slot: 2 is not allowed"),
+}
+
+
+@pytest.mark.parametrize(("call", "message"), BAD_CALLS.values(), ids=BAD_CALLS)
+def test_bad_calls_are_refused_and_change_nothing(call: Any, message: str) -> None:
+    bank = FilterBank(CV)
+    bank.add(1, 2)
+    bank.add(3, 4)
+    bank.predict(1)
+    before = [bank.state(0), bank.state(1), bank.state_covariance(0), bank.state_covariance(1)]
+    with pytest.raises(InputError, match=f"^{message}"):
+        call(bank)
+    after = [bank.state(0), bank.state(1), bank.state_covariance(0), bank.state_covariance(1)]
+    assert all(np.array_equal(a, b) for a, b in zip(before, after, strict=True))
+    assert len(bank) == 2
+
+
+def test_only_filter_options_make_a_bank() -> None:
+    for options in (survtrack.HungarianOptions(), survtrack.Config(), "kalman_cv", None):
+        with pytest.raises(TypeError, match="KalmanCvOptions"):
+            FilterBank(options)  # type: ignore[arg-type]

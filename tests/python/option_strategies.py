@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""Random configs, made from the library's own description of its options.
+
+The reference page says the default and what is allowed for every option; no list is kept here.
+"""
+
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from hypothesis import strategies as st
+
+import survtrack
+
+HEADING = re.compile(r"^###? `(?:\[(\w+)\]|(\w+)\.model = \"(\w+)\")`$")
+ROW = re.compile(r"^\| `([\w.]+)` \| `([^`]*)` \| [^|]* \| ([^|]*) \|")
+RANGE = re.compile(
+    r"^(?:(above|at least|between) (\S+?))(?: and (?:at most )?(\S+?))?(, 0 or odd)?$"
+)
+LARGEST = 1e300  # of options without an upper bound
+
+Strategy = st.SearchStrategy[Any]
+Models = dict[str | None, dict[str, Strategy]]
+
+
+def strategy(default: Any, allowed: str) -> Strategy:
+    """Values of one option; numbers have their bounds among them."""
+    if isinstance(default, bool):
+        return st.booleans()
+    if isinstance(default, str):
+        return st.sampled_from(allowed.split(", "))
+    found = RANGE.match(allowed)
+    assert found, allowed
+    above, low, high = found[1] == "above", float(found[2]), float(found[3] or LARGEST)
+    if isinstance(default, int):
+        numbers = st.integers(int(low), int(min(high, 400)))
+        return numbers.map(lambda n: n // 2 * 2 + 1 if n % 2 else 0) if found[4] else numbers
+    return st.floats(low, high, exclude_min=above)
+
+
+def sections() -> dict[str, Models]:
+    """Section -> model (None for sections without) -> option -> its values."""
+    found: dict[str, Models] = {}
+    section, model = "", None
+    for line in survtrack.options_reference().splitlines():
+        if heading := HEADING.match(line):
+            section, model = heading[1] or heading[2], heading[3]
+            found.setdefault(section, {})
+            if heading[3]:
+                found[section].pop(None, None)
+            found[section][model] = {}
+        elif (row := ROW.match(line)) and row[1].startswith(f"{section}."):
+            name = row[1].removeprefix(f"{section}.")
+            found[section][model][name] = strategy(json.loads(row[2]), row[3])
+    return found
+
+
+SECTIONS = sections()
+
+
+def parts(section: str) -> Strategy:
+    """A section as a dict: a model, and any of its options."""
+    models = SECTIONS[section]
+    return st.one_of(
+        st.fixed_dictionaries({} if model is None else {"model": st.just(model)}, optional=options)
+        for model, options in models.items()
+    )
+
+
+def options_found() -> Iterator[tuple[str, str | None, str]]:
+    for section, models in SECTIONS.items():
+        for model, options in models.items():
+            for option in options:
+                yield section, model, option
+
+
+def sections_agree(config: survtrack.Config) -> bool:
+    """Whether the rules between sections allow this config: the only ones beyond the bounds."""
+    return config.cost.model != "gaussian" or config.filter.model != "mean_velocity"
+
+
+def configs() -> st.SearchStrategy[survtrack.Config]:
+    """Any config that a pipeline takes."""
+    chosen = st.fixed_dictionaries({name: parts(name) for name in SECTIONS})
+    time_unit_s = st.floats(0, 3600, exclude_min=True)
+    return st.builds(
+        lambda unit, options: survtrack.Config(time_unit_s=unit, **options), time_unit_s, chosen
+    ).filter(sections_agree)
