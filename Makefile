@@ -18,7 +18,7 @@ test: ## Lint, types, C++ and Python tests, sanitizers, documentation
 	@bash scripts/test.sh
 
 bench: ## Measure against OpenCV's way of doing it
-	@bash scripts/bench.sh
+	@bash scripts/bench.sh $(ARGS)
 
 docs: ## Build the documentation into site/
 	@bash scripts/docs.sh

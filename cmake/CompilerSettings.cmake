@@ -9,8 +9,7 @@ target_compile_options(survtrack_settings INTERFACE
   # Same bytes everywhere: no fused multiply-add and no reassociation.
   -ffp-contract=off
   # Without these gcc does not vectorise float pixel loops; they change no result.
-  -fno-math-errno -fno-trapping-math
-  $<$<CONFIG:Release>:-O3>)
+  -fno-math-errno -fno-trapping-math)
 if(SURVTRACK_WARNINGS_AS_ERRORS)
   target_compile_options(survtrack_settings INTERFACE -Werror)
 endif()

@@ -13,16 +13,17 @@ step() {
   say "$name: $((SECONDS - start)) s"
 }
 
+# A step runs where errors do not end the script: what belongs together is joined by &&.
 release() {
-  cmake --build "$BUILD" -- --quiet
-  ctest --test-dir "$BUILD" --output-on-failure --no-tests=error --progress \
-    --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"
+  cmake --build "$BUILD" -- --quiet &&
+    ctest --test-dir "$BUILD" --output-on-failure --no-tests=error --progress \
+      --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"
 }
 
 sanitize() {
-  cmake --preset sanitize >build/sanitize.log || { cat build/sanitize.log; return 1; }
-  cmake --build --preset sanitize -- --quiet
-  ctest --preset sanitize --progress --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"
+  cmake --preset sanitize >build/sanitize.log || { cat build/sanitize.log && return 1; }
+  cmake --build --preset sanitize -- --quiet &&
+    ctest --preset sanitize --progress --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"
 }
 
 step "set-up" bash scripts/setup.sh

@@ -21,9 +21,11 @@ CostMatrix costs_of(const Matrix& array) {
   for (int i = 0; i < costs.rows(); ++i) {
     for (int j = 0; j < costs.columns(); ++j) {
       const double cost = a(i, j);
-      if (std::isnan(cost) || cost == -CostMatrix::gated) {
-        throw InputError("costs[" + std::to_string(i) + ", " + std::to_string(j) +
-                         "]: is not a number or minus infinity; expected a number, or inf for a pair that is refused");
+      constexpr double largest = 1e150;  // sums and differences stay finite
+      if (!(std::abs(cost) <= largest) && cost != CostMatrix::gated) {
+        throw InputError("costs[" + std::to_string(i) + ", " + std::to_string(j) + "]: is " +
+                         std::string(py::str(py::float_(cost))) +
+                         "; expected a number within +-1e150, or inf for a pair that is refused");
       }
       costs(i, j) = cost;
     }
@@ -48,7 +50,10 @@ void bind_association(py::module_& module) {
   module.def(
       "assign_hungarian",
       [](const Matrix& costs, double unassigned_cost) {
-        if (std::isnan(unassigned_cost)) throw InputError("unassigned_cost: is not a number");
+        if (!(unassigned_cost >= -1e150)) {
+          throw InputError("unassigned_cost: is " + std::string(py::str(py::float_(unassigned_cost))) +
+                           "; expected a number of at least -1e150, or inf");
+        }
         return array_of_assignment(assign_hungarian(costs_of(costs), unassigned_cost));
       },
       py::arg("costs"), py::arg("unassigned_cost") = CostMatrix::gated,
@@ -57,7 +62,8 @@ void bind_association(py::module_& module) {
   module.def(
       "match_matrix",
       [](const std::vector<Track>& tracks, const std::vector<Detection>& detections, std::pair<double, double> frame_size) {
-        if (!(frame_size.first > 0.0) || !(frame_size.second > 0.0)) {
+        const auto allowed = [](double side) { return side > 0.0 && std::isfinite(side); };
+        if (!allowed(frame_size.first) || !allowed(frame_size.second)) {
           throw InputError("frame_size: expected a positive width and height in px");
         }
         py::array_t<double> array({tracks.size(), detections.size()});

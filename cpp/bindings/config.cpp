@@ -3,6 +3,8 @@
 
 #include "options_class.hpp"
 
+#include <string_view>
+
 #include "survtrack/core/errors.hpp"
 #include "survtrack/pipeline/config.hpp"
 
@@ -12,6 +14,7 @@ Json json_of(const py::handle& value) {
   if (value.is_none()) return nullptr;
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (std::string_view(Py_TYPE(value.ptr())->tp_name) == "numpy.bool") return value.cast<bool>();
   if (py::hasattr(value, "to_dict")) return json_of(value.attr("to_dict")());
   if (py::isinstance<py::dict>(value)) {
     Json object = Json::object();
@@ -20,15 +23,18 @@ Json json_of(const py::handle& value) {
     }
     return object;
   }
-  // numpy's numbers pass too: they have __index__ or __float__.
-  if (PyIndex_Check(value.ptr()) != 0) {
-    const auto number = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
+  // numpy's numbers pass too: they have __index__ or __float__. Its arrays have both, and may refuse.
+  if (const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))) {
     int overflow = 0;
-    const long long integer = number ? PyLong_AsLongLongAndOverflow(number.ptr(), &overflow) : 0;
-    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+    const long long integer = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
     if (overflow == 0) return integer;
   }
-  if (py::hasattr(value, "__float__")) return value.attr("__float__")().cast<double>();
+  PyErr_Clear();
+  if (py::hasattr(value, "__float__")) {
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (PyErr_Occurred() == nullptr) return number;
+    PyErr_Clear();
+  }
   return std::string(py::repr(value));
 }
 
@@ -85,10 +91,6 @@ void bind_config(py::module_& module) {
           "Sets one option, as in set(\"filter.model=kalman_ca\"). Choosing a model resets its options.");
   cls.def("to_toml", &Config::to_toml, "All options as a TOML file, each with its unit and meaning.");
   cls.def("to_json", &Config::to_json, "All options as JSON.");
-  cls.def("__copy__", [](const Config& self) { return self; });
-  cls.def("__deepcopy__", [](const Config& self, const py::typing::Dict<py::object, py::object>&) { return self; }, py::arg("memo"));
-  cls.def(py::pickle([](const Config& self) { return py::str(self.to_json()); },
-                     [](const py::str& text) { return Config::from_json(text); }));
 
   module.def("preset_names", &preset_names, "Names of the presets, the default one first.");
   module.def("preset_text", &preset_text, py::arg("name"),

@@ -49,10 +49,13 @@ void correct(PyFilterBank& self, const Positions& measured) {
   }
   const auto z = measured.unchecked<2>();
   for (int i = 0; i < self.bank->size(); ++i) {
-    if (std::isinf(z(i, 0)) || std::isinf(z(i, 1))) throw InputError("measured: row " + std::to_string(i) + " is infinite");
+    const bool whole = std::isfinite(z(i, 0)) && std::isfinite(z(i, 1));
+    if (!whole && !(std::isnan(z(i, 0)) && std::isnan(z(i, 1)))) {
+      throw InputError("measured: row " + std::to_string(i) + " is neither a finite position nor missing (NaN, NaN)");
+    }
   }
   for (int i = 0; i < self.bank->size(); ++i) {
-    if (!std::isnan(z(i, 0)) && !std::isnan(z(i, 1))) self.bank->correct(i, {z(i, 0), z(i, 1)});
+    if (!std::isnan(z(i, 0))) self.bank->correct(i, {z(i, 0), z(i, 1)});
   }
 }
 

@@ -151,6 +151,17 @@ py::class_<Struct> bind_option_struct(py::module_& module, const char* name, con
       },
       "__eq__(self, other: object) -> bool");
   cls.attr("__hash__") = py::none();
+  // From here on pybind11's own signatures are right.
+  no_signatures.enable_function_signatures();
+  cls.def("__copy__", [](const Struct& self) { return self; });
+  cls.def("__deepcopy__", [](const Struct& self, const py::typing::Dict<py::object, py::object>&) { return self; },
+          py::arg("memo"));
+  cls.def(py::pickle([](const Struct& self) { return py::str(options_json::struct_to_json(self).dump()); },
+                     [path](const py::str& text) {
+                       Struct options;
+                       options_json::assign_struct(options, Json::parse(std::string(text)), path);
+                       return options;
+                     }));
   return cls;
 }
 

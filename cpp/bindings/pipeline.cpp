@@ -41,8 +41,8 @@ py::object process_frame(PyPipeline& self, const py::object& frame, double time_
   PyFrameResult result;
   const bool due = self.run([&](Pipeline& p) { return p.process(view.image, time_s, result.value, index); });
   if (!due) return py::none();
-  // Without delay the result's image shares the array's pixels: give the array itself, which owns them.
-  result.frame = self.stage.delay_frames() == 0 ? py::object(view.owner) : py::object(array_of_image(result.value.frame));
+  // Without delay the result's image shares the array's pixels, or a copy's: give the array itself.
+  result.frame = self.stage.delay_frames() == 0 ? frame : py::object(array_of_image(result.value.frame));
   result.value.frame = cv::Mat();
   return py::cast(std::move(result));
 }

@@ -3,6 +3,8 @@
 
 #include "results.hpp"
 
+#include <cmath>
+
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack::bindings {
@@ -76,6 +78,10 @@ Detections detections_of_boxes(const py::object& boxes, double time_s, std::int6
     throw InputError("boxes: is " + (array ? std::string(py::str(array.attr("shape"))) : std::string("no array")) +
                      "; expected an Nx4 array of left, top, width, height in px");
   }
+  if (frame_size.first < 0 || frame_size.second < 0) {
+    throw InputError("frame_size: (" + std::to_string(frame_size.first) + ", " + std::to_string(frame_size.second) +
+                     ") is not allowed; expected width and height in px, (0, 0) when unknown");
+  }
   Detections detections;
   detections.index = index;
   detections.time_s = time_s;
@@ -84,19 +90,20 @@ Detections detections_of_boxes(const py::object& boxes, double time_s, std::int6
   const py::ssize_t count = empty ? 0 : array.shape(0);
   detections.items.resize(static_cast<std::size_t>(count));
   for (py::ssize_t i = 0; i < count; ++i) {
-    Detection& d = detections.items[static_cast<std::size_t>(i)];
-    d.box = {array.at(i, 0), array.at(i, 1), array.at(i, 2), array.at(i, 3)};
-    d.position = d.box.center();
-    d.area_px = d.box.area_px();
+    detections.items[static_cast<std::size_t>(i)] =
+        detection_of_box({array.at(i, 0), array.at(i, 1), array.at(i, 2), array.at(i, 3)});
   }
   if (!confidences.is_none()) {
     const Column column = column_of(confidences, "confidences", count);
-    for (py::ssize_t i = 0; i < count; ++i) detections.items[static_cast<std::size_t>(i)].confidence = column.at(i);
+    for (py::ssize_t i = 0; i < count; ++i) {
+      if (!std::isfinite(column.at(i))) throw InputError("confidences: expected finite numbers");
+      detections.items[static_cast<std::size_t>(i)].confidence = column.at(i);
+    }
   }
   if (!class_ids.is_none()) {
     const Column column = column_of(class_ids, "class_ids", count);
     for (py::ssize_t i = 0; i < count; ++i) {
-      if (!(std::abs(column.at(i)) < 1e9)) throw InputError("class_ids: expected integers below 1e9");
+      if (!(std::abs(column.at(i)) < 1e9) || column.at(i) != std::floor(column.at(i))) throw InputError("class_ids: expected integers below 1e9");
       detections.items[static_cast<std::size_t>(i)].class_id = static_cast<int>(column.at(i));
     }
   }

@@ -50,6 +50,7 @@ void bind_detection(py::module_& module) {
                              "2x2 second central moments over the pixels, px^2.")
       .def_readonly("confidence", &Detection::confidence, "1 for blobs; your detector's score otherwise.")
       .def_readonly("class_id", &Detection::class_id, "-1: no class.")
+      .def_readonly("shared", &Detection::shared, "A share of a blob that several tracks cover.")
       .def("__repr__", [](const Detection& d) {
         return py::str("Detection(box={}, area_px={:.6g})").format(box_repr(d.box), d.area_px);
       });

@@ -17,11 +17,7 @@ int main() {
     detections.index = k;
     detections.time_s = k / 10.0;
     for (const survtrack::Box& box : {survtrack::Box{5.0 * k, 40, 20, 50}, survtrack::Box{200.0 - 5.0 * k, 120, 20, 50}}) {
-      survtrack::Detection detection;
-      detection.box = box;
-      detection.position = box.center();
-      detection.area_px = box.area_px();
-      detections.items.push_back(detection);
+      detections.items.push_back(survtrack::detection_of_box(box));
     }
     const survtrack::TrackingResult result = tracker.process(detections);
     tracks = result.tracks.size();

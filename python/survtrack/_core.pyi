@@ -160,6 +160,11 @@ class Detection:
         """
         (x, y) in px: a blob's centroid over all its pixels, else the box centre.
         """
+    @property
+    def shared(self) -> bool:
+        """
+        A share of a blob that several tracks cover.
+        """
 
 class TrackStatus(enum.Enum):
     """
@@ -422,7 +427,10 @@ class SelectiveOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "selective"
+    def __copy__(self) -> SelectiveOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> SelectiveOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
@@ -439,13 +447,14 @@ class SelectiveOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> SelectiveOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def absorb_time_s(self) -> float:
@@ -518,7 +527,10 @@ class MovingAverageOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "moving_average"
+    def __copy__(self) -> MovingAverageOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> MovingAverageOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
@@ -532,13 +544,14 @@ class MovingAverageOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> MovingAverageOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def secondary_background(self) -> bool:
@@ -588,7 +601,10 @@ class Mog2Options:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "mog2"
+    def __copy__(self) -> Mog2Options: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> Mog2Options: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
@@ -600,13 +616,14 @@ class Mog2Options:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> Mog2Options:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def detect_shadows(self) -> bool:
@@ -642,7 +659,10 @@ class KnnOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "knn"
+    def __copy__(self) -> KnnOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KnnOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
@@ -654,13 +674,14 @@ class KnnOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> KnnOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def detect_shadows(self) -> bool:
@@ -695,19 +716,23 @@ class CleanupOptions:
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __copy__(self) -> CleanupOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> CleanupOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self, *, median_px: int = 5, open_px: int = 0, close_px: int = 0) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> CleanupOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def close_px(self) -> int:
@@ -736,8 +761,9 @@ class BlobOptions:
     Which foreground regions count as detections.
 
     Args:
-        min_area_px: smaller blobs are dropped (S of Narayana 2007, 3.3) [px^2]; at least 0
+        min_area_px: smaller blobs are dropped (S of Narayana 2007, 3.3) [px^2]; between 0 and 1000000000
         min_area_fraction: the same, as a part of the frame's area; the larger counts; between 0 and 1
+        max_blobs: of more blobs in one frame the largest are kept; between 1 and 100000
         merge_fragments: join fragments that stand above each other, up to an object's height
         min_fragment_fraction: smaller fragments, as a part of the frame's area, are noise; between 0 and 1
         merge_gap: widest gap between fragments that are joined [object heights]; between 0 and 10
@@ -748,12 +774,16 @@ class BlobOptions:
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __copy__(self) -> BlobOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> BlobOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
         min_area_px: float = 0.0,
         min_area_fraction: float = 0.0001,
+        max_blobs: int = 500,
         merge_fragments: bool = True,
         min_fragment_fraction: float = 2e-05,
         merge_gap: float = 0.25,
@@ -766,14 +796,22 @@ class BlobOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> BlobOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
+    @property
+    def max_blobs(self) -> int:
+        """
+        of more blobs in one frame the largest are kept
+        """
+    @max_blobs.setter
+    def max_blobs(self, value: typing.Never) -> None: ...
     @property
     def merge_fragments(self) -> bool:
         """
@@ -844,20 +882,23 @@ class KalmanCvOptions:
 
     Args:
         noise_unit: the length that noises are measured in; one of "object_size" "px"
-        velocity_noise: standard deviation of the velocity gained or lost in one time unit (root of Q's density) [length/unit]; above 0
-        position_noise: standard deviation of a measured position (root of R) [length]; above 0
-        initial_velocity: standard deviation of a new track's velocity [length/unit]; at least 0
-        lost_damping_time: the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]; at least 0
+        velocity_noise: standard deviation of the velocity gained or lost in one time unit (root of Q's density) [length/unit]; between 1e-06 and 1000000
+        position_noise: standard deviation of a measured position (root of R) [length]; between 1e-06 and 1000000
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
+        lost_damping_time: the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]; between 0 and 1000000
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "kalman_cv"
+    def __copy__(self) -> KalmanCvOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KalmanCvOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
         noise_unit: str = "object_size",
-        velocity_noise: float = 0.4,
+        velocity_noise: float = 0.75,
         position_noise: float = 0.06,
         initial_velocity: float = 1.0,
         lost_damping_time: float = 2.0,
@@ -866,13 +907,14 @@ class KalmanCvOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> KalmanCvOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def initial_velocity(self) -> float:
@@ -916,15 +958,18 @@ class KalmanCaOptions:
 
     Args:
         noise_unit: the length that noises are measured in; one of "object_size" "px"
-        acceleration_noise: standard deviation of the acceleration gained or lost in one time unit (root of Q's density) [length/unit^2]; above 0
-        position_noise: standard deviation of a measured position (root of R) [length]; above 0
-        initial_velocity: standard deviation of a new track's velocity [length/unit]; at least 0
-        initial_acceleration: standard deviation of a new track's acceleration [length/unit^2]; at least 0
+        acceleration_noise: standard deviation of the acceleration gained or lost in one time unit (root of Q's density) [length/unit^2]; between 1e-06 and 1000000
+        position_noise: standard deviation of a measured position (root of R) [length]; between 1e-06 and 1000000
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
+        initial_acceleration: standard deviation of a new track's acceleration [length/unit^2]; between 0 and 1000000
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "kalman_ca"
+    def __copy__(self) -> KalmanCaOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KalmanCaOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
@@ -938,13 +983,14 @@ class KalmanCaOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> KalmanCaOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def acceleration_noise(self) -> float:
@@ -993,19 +1039,23 @@ class MeanVelocityOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "mean_velocity"
+    def __copy__(self) -> MeanVelocityOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> MeanVelocityOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self, *, window_steps: int = 5, extrapolate_lost: bool = False) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> MeanVelocityOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def extrapolate_lost(self) -> bool:
@@ -1024,28 +1074,54 @@ class MeanVelocityOptions:
 
 class BoxCenterOptions:
     """
-    the centre of the box; its size is a mean over the frames in which it stands alone.
+    the centre of the box; its size is a running mean, hidden edges are inferred.
 
     Args:
-        size_time_s: time constant of the mean of width and height [s]; above 0
+        size_time_s: time constant of the mean of width and height [s]; above 0 and at most 1000000
+        shared_size_gain: weight of a share's size in that mean; between 0 and 1
+        hidden_below: a share's side that is shorter than this part of the track's is partly hidden; between 0 and 1
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "box_center"
+    def __copy__(self) -> BoxCenterOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> BoxCenterOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
-    def __init__(self, *, size_time_s: float = 0.5) -> None:
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        size_time_s: float = 0.5,
+        shared_size_gain: float = 0.25,
+        hidden_below: float = 0.85,
+    ) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> BoxCenterOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
+    @property
+    def hidden_below(self) -> float:
+        """
+        a share's side that is shorter than this part of the track's is partly hidden
+        """
+    @hidden_below.setter
+    def hidden_below(self, value: typing.Never) -> None: ...
+    @property
+    def shared_size_gain(self) -> float:
+        """
+        weight of a share's size in that mean
+        """
+    @shared_size_gain.setter
+    def shared_size_gain(self, value: typing.Never) -> None: ...
     @property
     def size_time_s(self) -> float:
         """
@@ -1063,45 +1139,52 @@ class CentroidOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "centroid"
+    def __copy__(self) -> CentroidOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> CentroidOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> CentroidOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
 
 class GaussianCostOptions:
     """
-    Mahalanobis distance of position and size, from the predicted position.
+    log likelihood of the innovation, from the predicted position.
 
     Args:
-        gate: largest squared Mahalanobis distance; 9.21 holds 99 % of the true pairs; above 0
-        size_weight: weight of the squared log ratio of the areas; at least 0
+        gate: largest squared Mahalanobis distance; 9.21 holds 99 % of the true pairs; above 0 and at most 1000000
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "gaussian"
+    def __copy__(self) -> GaussianCostOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> GaussianCostOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
-    def __init__(self, *, gate: float = 9.21, size_weight: float = 1.0) -> None:
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, gate: float = 9.21) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> GaussianCostOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def gate(self) -> float:
@@ -1110,37 +1193,34 @@ class GaussianCostOptions:
         """
     @gate.setter
     def gate(self, value: typing.Never) -> None: ...
-    @property
-    def size_weight(self) -> float:
-        """
-        weight of the squared log ratio of the areas
-        """
-    @size_weight.setter
-    def size_weight(self, value: typing.Never) -> None: ...
 
 class MatchMatrixOptions:
     """
     distance in the frame plus distance in colour, from the last position (Narayana 2007, eq. 3.6).
 
     Args:
-        max_match: pairs of a larger value are refused; 0: none is; at least 0
+        max_match: pairs of a larger value are refused; 0: none is; between 0 and 1000000
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "match_matrix"
+    def __copy__(self) -> MatchMatrixOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> MatchMatrixOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self, *, max_match: float = 0.0) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> MatchMatrixOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def max_match(self) -> float:
@@ -1160,19 +1240,23 @@ class HungarianOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "hungarian"
+    def __copy__(self) -> HungarianOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> HungarianOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self, *, confirmed_first: bool = True) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> HungarianOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def confirmed_first(self) -> bool:
@@ -1191,19 +1275,23 @@ class OldestFirstOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "oldest_first"
+    def __copy__(self) -> OldestFirstOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> OldestFirstOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> OldestFirstOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
 
 class ConfirmAndLoseOptions:
@@ -1221,7 +1309,10 @@ class ConfirmAndLoseOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "confirm_and_lose"
+    def __copy__(self) -> ConfirmAndLoseOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> ConfirmAndLoseOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self,
         *,
@@ -1236,13 +1327,14 @@ class ConfirmAndLoseOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> ConfirmAndLoseOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def birth_overlap(self) -> float:
@@ -1297,19 +1389,23 @@ class LostCountOptions:
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
     model: typing.ClassVar[str] = "lost_count"
+    def __copy__(self) -> LostCountOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> LostCountOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(self, *, lost_after_frames: int = 5) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> LostCountOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def lost_after_frames(self) -> int:
@@ -1326,11 +1422,14 @@ class OutputOptions:
     Args:
         background: the background picture of every frame
         contours: the outer contour of every blob
-        cost_matrix: the whole matrix of costs, tracks by detections
+        cost_matrix: the whole matrix of costs, tracks by detections; at most a million entries
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __copy__(self) -> OutputOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> OutputOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
     def __init__(
         self, *, background: bool = False, contours: bool = False, cost_matrix: bool = False
     ) -> None:
@@ -1338,13 +1437,14 @@ class OutputOptions:
         Raises ConfigError naming the option and what is allowed.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> OutputOptions:
         """
         A copy with some options changed.
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     @property
     def background(self) -> bool:
@@ -1363,7 +1463,7 @@ class OutputOptions:
     @property
     def cost_matrix(self) -> bool:
         """
-        the whole matrix of costs, tracks by detections
+        the whole matrix of costs, tracks by detections; at most a million entries
         """
     @cost_matrix.setter
     def cost_matrix(self, value: typing.Never) -> None: ...
@@ -1373,7 +1473,7 @@ class Config:
     All options of a pipeline; the defaults are the preset "survtrack".
 
     Args:
-        time_unit_s: the filters' unit of time; published presets: the nominal frame period [s]; above 0 and at most 3600
+        time_unit_s: the filters' unit of time; published presets: the nominal frame period [s]; between 1e-06 and 3600
         segmenter: frame to foreground mask
         cleanup: noise removal on the mask
         blobs: mask to detections
@@ -1429,7 +1529,7 @@ class Config:
         """
     def to_dict(self) -> dict[str, typing.Any]:
         """
-        All options by name.
+        All options by name, and the model's name if it is one of several.
         """
     def to_json(self) -> str:
         """

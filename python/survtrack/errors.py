@@ -20,4 +20,4 @@ class UsageError(SurvtrackError, ValueError):
 
 
 class ConfigError(UsageError):
-    """An option, preset or option file of a config cannot be used; the message has its full path."""
+    """An option, preset or option file that cannot be used; the message has its full path."""

@@ -84,7 +84,7 @@ def sections_agree(config: survtrack.Config) -> bool:
 def configs() -> st.SearchStrategy[survtrack.Config]:
     """Any config that a pipeline takes."""
     chosen = st.fixed_dictionaries({name: parts(name) for name in SECTIONS})
-    time_unit_s = st.floats(0, 3600, exclude_min=True)
+    time_unit_s = st.floats(1e-6, 3600)
     return st.builds(
         lambda unit, options: survtrack.Config(time_unit_s=unit, **options), time_unit_s, chosen
     ).filter(sections_agree)

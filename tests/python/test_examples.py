@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from clips import walking_square, write_video
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples" / "python").glob("*.py"))

@@ -7,8 +7,6 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
-#include "blobs/fragments.hpp"
-#include "blobs/sharing.hpp"
 #include "core/check_mask.hpp"
 
 namespace survtrack {
@@ -40,9 +38,9 @@ void BlobExtractor::extract(const cv::Mat& mask, const cv::Mat& frame, const Exp
   const double min_area_px = std::max(options_.min_area_px, options_.min_area_fraction * frame_area_px);
   if (options_.merge_fragments) {
     drop_below(options_.min_fragment_fraction * frame_area_px);
-    merge_fragments(options_, expectation, runs_, parts_);
+    merger_.merge(options_, expectation, runs_, parts_);
   }
-  if (options_.share_blobs) share_blobs(options_, expectation, min_area_px, runs_, parts_);
+  if (options_.share_blobs) sharer_.share(options_, expectation, min_area_px, runs_, parts_);
   drop_unexpected(expectation, min_area_px, mask.size());
   drop_beyond_count();
   const int kept = number_blobs();
@@ -77,15 +75,16 @@ void BlobExtractor::drop_unexpected(const Expectation& expectation, double min_a
 
 /// Keeps the largest ones; of equal ones the first.
 void BlobExtractor::drop_beyond_count() {
-  std::vector<std::size_t> remaining;
+  remaining_.clear();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (!parts_[i].dropped && parts_[i].area_px > 0) remaining.push_back(i);
+    if (!parts_[i].dropped && parts_[i].area_px > 0) remaining_.push_back(i);
   }
   const auto most = static_cast<std::size_t>(options_.max_blobs);
-  if (remaining.size() <= most) return;
-  std::stable_sort(remaining.begin(), remaining.end(),
-                   [&](std::size_t a, std::size_t b) { return parts_[a].area_px > parts_[b].area_px; });
-  for (std::size_t i = most; i < remaining.size(); ++i) parts_[remaining[i]].dropped = true;
+  if (remaining_.size() <= most) return;
+  std::sort(remaining_.begin(), remaining_.end(), [&](std::size_t a, std::size_t b) {
+    return parts_[a].area_px != parts_[b].area_px ? parts_[a].area_px > parts_[b].area_px : a < b;
+  });
+  for (std::size_t i = most; i < remaining_.size(); ++i) parts_[remaining_[i]].dropped = true;
 }
 
 /// Numbers the blobs that remain, in the order of their labels.

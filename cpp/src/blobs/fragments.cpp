@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The survtrack developers
 // SPDX-License-Identifier: Apache-2.0
 
-#include "blobs/fragments.hpp"
+#include "survtrack/blobs/fragments.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -43,38 +43,41 @@ bool belong_together(const BlobPart& a, const BlobPart& b, const BlobOptions& op
 
 }  // namespace
 
-void merge_fragments(const BlobOptions& options, const Expectation& expectation, std::vector<Run>& runs,
-                     std::vector<BlobPart>& parts) {
-  std::vector<std::size_t> open;
-  std::vector<int> target(parts.size());
-  std::iota(target.begin(), target.end(), 0);
+void FragmentMerger::merge(const BlobOptions& options, const Expectation& expectation, std::vector<Run>& runs,
+                           std::vector<BlobPart>& parts) {
+  open_.clear();
+  target_.resize(parts.size());
+  std::iota(target_.begin(), target_.end(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!parts[i].dropped) open.push_back(i);
+    if (!parts[i].dropped) open_.push_back(i);
   }
   // From left to right: what begins beyond a fragment's right edge is not above or below it.
-  std::stable_sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return parts[a].left < parts[b].left; });
+  std::sort(open_.begin(), open_.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].left != parts[b].left ? parts[a].left < parts[b].left : a < b;
+  });
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      for (std::size_t j = i + 1; j < open.size() && parts[open[j]].left < parts[open[i]].right;) {
-        if (!belong_together(parts[open[i]], parts[open[j]], options, expectation)) {
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      for (std::size_t j = i + 1; j < open_.size() && parts[open_[j]].left < parts[open_[i]].right;) {
+        if (!belong_together(parts[open_[i]], parts[open_[j]], options, expectation)) {
           ++j;
           continue;
         }
-        parts[open[i]].add(parts[open[j]]);
-        parts[open[j]].dropped = true;
-        target[open[j]] = static_cast<int>(open[i]);
-        open.erase(open.begin() + static_cast<std::ptrdiff_t>(j));
+        parts[open_[i]].add(parts[open_[j]]);
+        parts[open_[j]].dropped = true;
+        target_[open_[j]] = static_cast<int>(open_[i]);
+        open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(j));
         changed = true;
         j = i + 1;
       }
     }
   }
-  const auto final_label = [&](int label) {
-    while (target[static_cast<std::size_t>(label)] != label) label = target[static_cast<std::size_t>(label)];
-    return label;
-  };
   for (Run& run : runs) run.label = final_label(run.label);
+}
+
+int FragmentMerger::final_label(int label) const {
+  while (target_[static_cast<std::size_t>(label)] != label) label = target_[static_cast<std::size_t>(label)];
+  return label;
 }
 
 }  // namespace survtrack

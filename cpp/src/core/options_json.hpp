@@ -76,8 +76,9 @@ Json struct_to_json(const Struct& options) {
   return object;
 }
 
+/// `may_choose`: the table may also name a model; for the list of choices.
 template <class Struct>
-void assign_struct(Struct& options, const Json& object, const std::string& path);
+void assign_struct(Struct& options, const Json& object, const std::string& path, bool may_choose = false);
 
 template <class Variant, std::size_t I = 0>
 bool choose_model(Variant& value, const std::string& model) {
@@ -102,7 +103,7 @@ void assign_variant(Variant& value, Json object, const std::string& path) {
     if (!choose_model(value, name)) throw ConfigError(path + ".model: unknown \"" + name + "\"; " + choices);
     object.erase("model");
   }
-  std::visit([&](auto& alternative) { assign_struct(alternative, object, path); }, value);
+  std::visit([&](auto& alternative) { assign_struct(alternative, object, path, true); }, value);
 }
 
 template <class Value>
@@ -143,11 +144,12 @@ void assign_value(Value& value, const Json& json, const Bounds& bounds, const st
 }
 
 template <class Struct>
-void assign_struct(Struct& options, const Json& object, const std::string& path) {
+void assign_struct(Struct& options, const Json& object, const std::string& path, bool may_choose) {
   if (!object.is_object()) refuse(path, object, "a table of options");
   for (const auto& [key, json] : object.items()) {
     bool known = false;
     std::vector<std::string> names;
+    if (may_choose) names.emplace_back("model");
     for_each_field<Struct>([&](const auto& f) {
       names.emplace_back(f.name);
       if (key != f.name) return;

@@ -64,7 +64,10 @@ class KalmanFilterBank final : public FilterBank {
     const typename Model::Matrix Q = Model::unit_noise(dt);
     typename Model::Matrix F_lost = F;
     if (noise_.lost_damping_time > 0.0) {
-      F_lost.template block<2, 2>(2, 2) *= std::exp(-dt / noise_.lost_damping_time);
+      // v' = -v / tau: the way to a standstill is tau v, and two steps of dt / 2 are one of dt.
+      const double tau = noise_.lost_damping_time;
+      F_lost.template block<2, 2>(2, 2) *= std::exp(-dt / tau);
+      F_lost.template block<2, 2>(0, 2) *= -std::expm1(-dt / tau) * tau / dt;
     }
     for (int slot = 0; slot < bank_.size(); ++slot) {
       const double deviation = noise_.density_root * lengths_[at(slot)];

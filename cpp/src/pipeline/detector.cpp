@@ -22,9 +22,13 @@ bool Detector::push(const cv::Mat& image, double time_s, std::optional<std::int6
   if (channels_ != 0) check_same_format(image, size_, channels_);
   check_time(time_s, last_time_s_.value_or(-std::numeric_limits<double>::infinity()));
   const std::int64_t next_index = index.value_or(last_index_ + 1);
+  constexpr std::int64_t largest_index = std::int64_t{1} << 53;  // exact in every file format
+  if (next_index < 0 || next_index > largest_index) {
+    throw InputError("index: " + std::to_string(next_index) + " is not allowed; expected 0 to 2^53");
+  }
   if (next_index <= last_index_) {
     throw InputError("index: " + std::to_string(next_index) + " does not come after " + std::to_string(last_index_) +
-                     ", the index of the frame before; from 0, increasing");
+                     ", the index of the frame before; indices must increase");
   }
   size_ = image.size();
   channels_ = image.channels();
@@ -54,7 +58,7 @@ void Detector::detect(const Expectation& expectation, Detections& detections) {
                      std::to_string(next().time_s));
   }
   const TimedFrame frame = queue_.front();
-  queue_.pop_front();
+  queue_.erase(queue_.begin());
   detections.index = frame.index;
   detections.time_s = frame.time_s;
   detections.frame_width = frame.image.cols;

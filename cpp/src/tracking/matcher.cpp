@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "survtrack/association/assign.hpp"
+#include "survtrack/association/costs.hpp"
+
 namespace survtrack {
 namespace {
 
@@ -50,7 +53,7 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
   const auto columns = static_cast<int>(detections.items.size());
   costs_.resize(rows, columns);
   std::visit(FillCosts{table, detections, costs_}, cost_);
-  matches.detection_of_track = assign_rows(table);
+  assign_rows(table, matches.detection_of_track);
   matches.track_of_detection.assign(static_cast<std::size_t>(columns), -1);
   matches.candidates.clear();
   for (int r = 0; r < rows; ++r) {
@@ -63,38 +66,25 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
   }
 }
 
-Assignment Matcher::assign_rows(const TrackTable& table) {
+void Matcher::assign_rows(const TrackTable& table, Assignment& assignment) {
   const auto* hungarian = std::get_if<HungarianOptions>(&assignment_);
-  if (hungarian == nullptr || !hungarian->confirmed_first) return assign(assignment_, costs_);
-  Assignment assignment(static_cast<std::size_t>(costs_.rows()), -1);
-  for (const bool believed : {true, false}) {
+  if (hungarian == nullptr) {
+    assignment = assign_oldest_first(costs_);
+    return;
+  }
+  assignment.assign(static_cast<std::size_t>(table.size()), -1);
+  const auto assign_those = [&](const auto& chosen) {
     rows_.clear();
-    for (int r = 0; r < costs_.rows(); ++r) {
-      if (table.row(r).believed() == believed) rows_.push_back(r);
+    for (int r = 0; r < table.size(); ++r) {
+      if (chosen(table.row(r))) rows_.push_back(r);
     }
-    assign_rest(assignment);
-  }
-  return assignment;
-}
-
-/// Assigns `rows_` to the columns that `assignment` has left.
-void Matcher::assign_rest(Assignment& assignment) {
-  std::vector<char> taken(static_cast<std::size_t>(costs_.columns()), char{0});
-  for (const int c : assignment) {
-    if (c >= 0) taken[static_cast<std::size_t>(c)] = 1;
-  }
-  columns_.clear();
-  for (int c = 0; c < costs_.columns(); ++c) {
-    if (!taken[static_cast<std::size_t>(c)]) columns_.push_back(c);
-  }
-  part_.resize(static_cast<int>(rows_.size()), static_cast<int>(columns_.size()));
-  for (int r = 0; r < part_.rows(); ++r) {
-    const int row = rows_[static_cast<std::size_t>(r)];
-    for (int c = 0; c < part_.columns(); ++c) part_(r, c) = costs_(row, columns_[static_cast<std::size_t>(c)]);
-  }
-  const Assignment more = assign_hungarian(part_);
-  for (std::size_t r = 0; r < more.size(); ++r) {
-    if (more[r] >= 0) assignment[static_cast<std::size_t>(rows_[r])] = columns_[static_cast<std::size_t>(more[r])];
+    solver_.assign(costs_, rows_, CostMatrix::gated, assignment);
+  };
+  if (hungarian->confirmed_first) {
+    assign_those([](const OpenTrack& row) { return row.believed(); });
+    assign_those([](const OpenTrack& row) { return !row.believed(); });
+  } else {
+    assign_those([](const OpenTrack&) { return true; });
   }
 }
 

@@ -16,7 +16,7 @@ constexpr double known_spread = 0.3;
 constexpr double outlier = 0.5;            // |ln(h / expected)|
 constexpr double outlier_weight = 0.1;
 constexpr double spread_gain = 0.01;
-constexpr double ridge = 0.01;             // without spread in rows the law is a constant
+constexpr double ridge = 0.002;             // without spread in rows the law is a constant
 constexpr double smallest_height = 0.02;   // of the frame's height
 
 }  // namespace

@@ -36,11 +36,11 @@ TEST(OldestFirst, EmptyMatrices) {
   EXPECT_EQ(assign_oldest_first(costs), (Assignment{-1, -1, -1}));
 }
 
-TEST(Assign, FollowsTheOptions) {
+TEST(OldestFirst, IsNotTheOptimum) {
   const CostMatrix costs = costs_of({{2.0, 3.0}, {0.1, 9.0}});
-  EXPECT_EQ(assign(OldestFirstOptions{}, costs), (Assignment{0, 1}));
-  EXPECT_EQ(assign(HungarianOptions{}, costs), (Assignment{1, 0}));
-  EXPECT_EQ(assign(HungarianOptions{}, costs, 1.0), (Assignment{-1, 0}));
+  EXPECT_EQ(assign_oldest_first(costs), (Assignment{0, 1}));
+  EXPECT_EQ(assign_hungarian(costs), (Assignment{1, 0}));
+  EXPECT_EQ(assign_hungarian(costs, 1.0), (Assignment{-1, 0}));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(FilterBank, RefusesOptionsOutOfTheirRanges) {
   KalmanCvOptions options = cv_in_px();
   options.position_noise = 0.0;
   EXPECT_EQ(message_of<ConfigError>([&] { make_filter_bank(options); }),
-            "filter.position_noise: 0 is not allowed; expected above 0");
+            "filter.position_noise: 0 is not allowed; expected between 1e-06 and 1000000");
 }
 
 }  // namespace

@@ -32,11 +32,11 @@ TEST(ConfigMessages, UnknownModelNamesPathAndChoices) {
 TEST(ConfigMessages, UnknownOptionNamesPathAndChoices) {
   EXPECT_TRUE(contains(refusal("no_such=1"), "no_such: unknown option; one of: time_unit_s, segmenter, "));
   EXPECT_TRUE(contains(refusal("cleanup.no_such=1"), "cleanup.no_such: unknown option; one of: median_px, open_px"));
-  EXPECT_TRUE(contains(refusal("filter.no_such=1"), "filter.no_such: unknown option; one of: noise_unit"));
+  EXPECT_TRUE(contains(refusal("filter.no_such=1"), "filter.no_such: unknown option; one of: model, noise_unit"));
   Config config;
   config.set("assignment.model=oldest_first");
   EXPECT_TRUE(contains(message_of<ConfigError>([&] { config.set("assignment.confirmed_first=true"); }),
-                       "assignment.confirmed_first: unknown option; there are none here"));
+                       "assignment.confirmed_first: unknown option; one of: model"));
 }
 
 TEST(ConfigMessages, APathTooDeepOrTooShort) {

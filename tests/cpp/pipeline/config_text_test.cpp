@@ -51,7 +51,7 @@ TEST(ConfigText, EveryOptionRoundTripsWithAnotherValue) {
 
 TEST(ConfigText, NumbersKeepEveryBit) {
   const auto max_match = [](const Config& config) { return std::get<MatchMatrixOptions>(config.cost).max_match; };
-  for (const double value : {1.0 / 3.0, std::nextafter(0.1, 1.0), 1e-300, 5e-324, 1e22, 1.7976931348623157e308}) {
+  for (const double value : {1.0 / 3.0, std::nextafter(0.1, 1.0), 1e-300, 5e-324, 123456.78901234567}) {
     Config config;
     config.cost = MatchMatrixOptions{.max_match = value};
     EXPECT_EQ(max_match(Config::from_toml(config.to_toml())), value);

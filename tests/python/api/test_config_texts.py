@@ -108,7 +108,7 @@ def test_choosing_a_model_resets_its_options() -> None:
         ),
         (
             "filter.position_noise=-1",
-            r"filter\.position_noise: -1 is not allowed; expected above 0",
+            r"filter\.position_noise: -1 is not allowed; expected between 1e-06",
         ),
         ("filter.position_noise=nan", r"filter\.position_noise: nan is not allowed"),
         ("filter.position_noise=true", r"filter\.position_noise: true is not allowed"),
@@ -116,7 +116,7 @@ def test_choosing_a_model_resets_its_options() -> None:
         ("cleanup.median_px=", r'cleanup\.median_px: "" is not allowed'),
         ("cleanup.median_px=[5]", r"cleanup\.median_px: \[5\] is not allowed"),
         ("cleanup..median_px=5", r"cleanup\.: unknown option"),
-        ("segmenter.window=causal", r"segmenter\.window: unknown option; one of: threshold"),
+        ("segmenter.window=causal", r"segmenter\.window: unknown option; one of: model, threshold"),
         (
             "outputs.background=yes",
             r'outputs\.background: "yes" is not allowed; expected true or f',

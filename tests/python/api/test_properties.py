@@ -18,7 +18,7 @@ from option_strategies import SECTIONS, configs, options_found
 from scenes import CLASSES, MODELS, answer, rows
 from survtrack import Config, Detections, InputError, Pipeline, Tracker
 
-settings.register_profile("survtrack", deadline=None, derandomize=True, max_examples=60)
+settings.register_profile("survtrack", deadline=None, derandomize=True, max_examples=200)
 settings.load_profile("survtrack")
 
 SHAPES = st.tuples(st.integers(1, 48), st.integers(1, 70))

@@ -3,27 +3,19 @@
 
 #pragma once
 
-#include <vector>
-
 #include "survtrack/association/cost_matrix.hpp"
-#include "survtrack/association/options.hpp"
+#include "survtrack/association/hungarian.hpp"
 
 namespace survtrack {
 
-/// A column a row, each column at most once; -1: the row stays alone. Infinite entries are never taken.
-/// Entries that are no numbers are refused with an `InputError`.
-using Assignment = std::vector<int>;
+// Infinite costs are never taken. Entries that are no numbers are refused with an `InputError`.
 
 /// Rows in order, each takes its cheapest free column; of equal ones the first (Narayana 2007, 3.5.4).
 Assignment assign_oldest_first(const CostMatrix& costs);
 
 /// Optimal one-to-one assignment. A row that stays alone costs `unassigned_cost`: with the gate's value, a
 /// pair is made only where it lowers the total; infinite (the default): as many pairs as possible, and of
-/// those the cheapest. The gate's connected parts are solved one by one, each by shortest augmenting paths
-/// (Jonker and Volgenant 1987) in O(n^2 m).
+/// those the cheapest. See `HungarianSolver`.
 Assignment assign_hungarian(const CostMatrix& costs, double unassigned_cost = CostMatrix::gated);
-
-/// The assignment that the options name.
-Assignment assign(const AssignmentOptions& options, const CostMatrix& costs, double unassigned_cost = CostMatrix::gated);
 
 }  // namespace survtrack

@@ -20,7 +20,7 @@ struct MatchMatrixOptions {
   static constexpr auto fields() {
     using O = MatchMatrixOptions;
     return std::make_tuple(field("max_match", &O::max_match, "", "pairs of a larger value are refused; 0: none is",
-                                 at_least(0)));
+                                 between(0, 1e6)));
   }
 };
 
@@ -35,7 +35,7 @@ struct GaussianCostOptions {
   static constexpr auto fields() {
     using O = GaussianCostOptions;
     return std::make_tuple(
-        field("gate", &O::gate, "", "largest squared Mahalanobis distance; 9.21 holds 99 % of the true pairs", above(0)));
+        field("gate", &O::gate, "", "largest squared Mahalanobis distance; 9.21 holds 99 % of the true pairs", above_up_to(0, 1e6)));
   }
 };
 

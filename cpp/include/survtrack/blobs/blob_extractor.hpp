@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "survtrack/blobs/blob_part.hpp"
+#include "survtrack/blobs/fragments.hpp"
 #include "survtrack/blobs/options.hpp"
 #include "survtrack/blobs/run_labeller.hpp"
+#include "survtrack/blobs/sharing.hpp"
 #include "survtrack/core/detection.hpp"
 #include "survtrack/core/expectation.hpp"
 
@@ -53,6 +55,9 @@ class BlobExtractor {
   RunLabeller labeller_;
   std::vector<Run> runs_;
   std::vector<BlobPart> parts_;  ///< by label
+  FragmentMerger merger_;
+  BlobSharer sharer_;
+  std::vector<std::size_t> remaining_;
   std::vector<Sums> sums_;  ///< by label
 };
 

@@ -23,7 +23,7 @@ struct BlobOptions {
   static constexpr auto fields() {
     using O = BlobOptions;
     return std::make_tuple(
-        field("min_area_px", &O::min_area_px, "px^2", "smaller blobs are dropped (S of Narayana 2007, 3.3)", at_least(0)),
+        field("min_area_px", &O::min_area_px, "px^2", "smaller blobs are dropped (S of Narayana 2007, 3.3)", between(0, 1e9)),
         field("min_area_fraction", &O::min_area_fraction, "", "the same, as a part of the frame's area; the larger counts",
               between(0, 1)),
         field("max_blobs", &O::max_blobs, "", "of more blobs in one frame the largest are kept", between(1, 100000)),

@@ -24,6 +24,16 @@ struct Detection {
   bool shared = false;     ///< a share of a blob that several tracks cover: its edges may not be the object's
 };
 
+/// A detection of the user's own: the box, its centre and its area.
+inline Detection detection_of_box(const Box& box, double confidence = 1.0) {
+  Detection detection;
+  detection.box = box;
+  detection.position = box.center();
+  detection.area_px = box.area_px();
+  detection.confidence = confidence;
+  return detection;
+}
+
 /// All detections of one frame, and what was found out on the way to them.
 struct Detections {
   std::int64_t index = 0;  ///< the frame's index in its source

@@ -54,7 +54,8 @@ class KalmanBank {
   /// x = F x, P = F P F' + Q for one track.
   void predict(int slot, const Covariance& F, const Covariance& Q) {
     x(slot) = (F * x(slot)).eval();
-    P(slot) = (F * P(slot) * F.transpose()).eval() + Q;
+    const Covariance predicted = F * P(slot) * F.transpose() + Q;
+    P(slot) = 0.5 * (predicted + predicted.transpose());
   }
 
   /// S = H P H' + R, the covariance of the innovation z - H x.

@@ -36,13 +36,13 @@ struct KalmanCvOptions {
     return std::make_tuple(
         field("noise_unit", &O::noise_unit, "", "the length that noises are measured in"),
         field("velocity_noise", &O::velocity_noise, "length/unit",
-              "standard deviation of the velocity gained or lost in one time unit (root of Q's density)", above(0)),
+              "standard deviation of the velocity gained or lost in one time unit (root of Q's density)", between(1e-6, 1e6)),
         field("position_noise", &O::position_noise, "length", "standard deviation of a measured position (root of R)",
-              above(0)),
+              between(1e-6, 1e6)),
         field("initial_velocity", &O::initial_velocity, "length/unit", "standard deviation of a new track's velocity",
-              at_least(0)),
+              between(0, 1e6)),
         field("lost_damping_time", &O::lost_damping_time, "unit",
-              "the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall", at_least(0)));
+              "the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall", between(0, 1e6)));
   }
 };
 
@@ -62,13 +62,13 @@ struct KalmanCaOptions {
     return std::make_tuple(
         field("noise_unit", &O::noise_unit, "", "the length that noises are measured in"),
         field("acceleration_noise", &O::acceleration_noise, "length/unit^2",
-              "standard deviation of the acceleration gained or lost in one time unit (root of Q's density)", above(0)),
+              "standard deviation of the acceleration gained or lost in one time unit (root of Q's density)", between(1e-6, 1e6)),
         field("position_noise", &O::position_noise, "length", "standard deviation of a measured position (root of R)",
-              above(0)),
+              between(1e-6, 1e6)),
         field("initial_velocity", &O::initial_velocity, "length/unit", "standard deviation of a new track's velocity",
-              at_least(0)),
+              between(0, 1e6)),
         field("initial_acceleration", &O::initial_acceleration, "length/unit^2",
-              "standard deviation of a new track's acceleration", at_least(0)));
+              "standard deviation of a new track's acceleration", between(0, 1e6)));
   }
 };
 

@@ -48,7 +48,7 @@ struct Config {
     using O = Config;
     return std::make_tuple(
         field("time_unit_s", &O::time_unit_s, "s",
-              "the filters' unit of time; published presets: the nominal frame period", above_up_to(0, 3600)),
+              "the filters' unit of time; published presets: the nominal frame period", between(1e-6, 3600)),
         field("segmenter", &O::segmenter, "", "frame to foreground mask"),
         field("cleanup", &O::cleanup, "", "noise removal on the mask"),
         field("blobs", &O::blobs, "", "mask to detections"),

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -65,7 +64,7 @@ class Detector {
   std::unique_ptr<Segmenter> segmenter_;
   Cleanup cleanup_;
   BlobExtractor blobs_;
-  std::deque<TimedFrame> queue_;
+  std::vector<TimedFrame> queue_;  ///< those that wait, oldest first
   cv::Size size_;
   int channels_ = 0;
   std::int64_t last_index_ = -1;

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "survtrack/association/assign.hpp"
-#include "survtrack/association/costs.hpp"
+#include "survtrack/association/cost_matrix.hpp"
+#include "survtrack/association/hungarian.hpp"
 #include "survtrack/association/options.hpp"
 #include "survtrack/core/detection.hpp"
 #include "survtrack/core/matches.hpp"
@@ -26,15 +26,13 @@ class Matcher {
   const CostMatrix& costs() const { return costs_; }
 
  private:
-  Assignment assign_rows(const TrackTable& table);
-  void assign_rest(Assignment& assignment);
+  void assign_rows(const TrackTable& table, Assignment& assignment);
 
   CostOptions cost_;
   AssignmentOptions assignment_;
   CostMatrix costs_;
-  CostMatrix part_;           ///< the rows and columns of one of two rounds
-  std::vector<int> rows_;
-  std::vector<int> columns_;
+  HungarianSolver solver_;
+  std::vector<int> rows_;  ///< those of one round
 };
 
 }  // namespace survtrack
