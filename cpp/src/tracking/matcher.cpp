@@ -16,33 +16,31 @@ struct FillCosts {
   const Detections& detections;
   CostMatrix& costs;
 
-  template <class Cost>
-  void each(const Cost& cost) const {
+  void operator()(const GaussianCostOptions& o) const {
     for (int r = 0; r < costs.rows(); ++r) {
+      const OpenTrack& row = table.row(r);
+      const Point predicted = table.predicted_position(r);
+      const Symmetric2 S = table.innovation_covariance_px2(r);
       for (int c = 0; c < costs.columns(); ++c) {
-        costs(r, c) = cost(r, detections.items[static_cast<std::size_t>(c)]);
+        const Observation seen = table.observe(r, detections.items[static_cast<std::size_t>(c)]);
+        const Symmetric2& extra = seen.extra_px2;
+        const Innovation innovation{seen.position - predicted, {S.xx + extra.xx, S.xy + extra.xy, S.yy + extra.yy}};
+        costs(r, c) = gaussian_cost(o, innovation, row.width_px * row.height_px);
       }
     }
-  }
-
-  void operator()(const GaussianCostOptions& o) const {
-    each([&](int r, const Detection& d) {
-      const OpenTrack& row = table.row(r);
-      const Observation seen = table.observe(r, d);
-      const Innovation innovation{seen.position - table.predicted_position(r),
-                                  table.innovation_covariance_px2(r, seen.extra_px2)};
-      return gaussian_cost(o, innovation, row.width_px * row.height_px);
-    });
   }
 
   void operator()(const MatchMatrixOptions& o) const {
     // A tracker on boxes alone may not know the frame: distances then count in px.
     const double width = detections.frame_width > 0 ? detections.frame_width : 1.0;
     const double height = detections.frame_height > 0 ? detections.frame_height : 1.0;
-    each([&](int r, const Detection& d) {
-      const double cost = match_matrix_entry(table.row(r).track, d, width, height);
-      return o.max_match > 0.0 && cost > o.max_match ? CostMatrix::gated : cost;
-    });
+    for (int r = 0; r < costs.rows(); ++r) {
+      for (int c = 0; c < costs.columns(); ++c) {
+        const double cost =
+            match_matrix_entry(table.row(r).track, detections.items[static_cast<std::size_t>(c)], width, height);
+        costs(r, c) = o.max_match > 0.0 && cost > o.max_match ? CostMatrix::gated : cost;
+      }
+    }
   }
 };
 
