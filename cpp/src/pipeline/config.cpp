@@ -88,8 +88,12 @@ void Config::set(const std::string& option_and_value) {
 
 std::string Config::to_json() const { return options_json::struct_to_json(*this).dump(2); }
 
-void Config::check(const std::string&) const {
-  // Rules that span several stages stand here; those of one stage in its own option structs.
+void Config::check() const {
+  check_fields(*this);
+  if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
+    throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
+                      "expected cost.model match_matrix, or filter.model kalman_cv or kalman_ca");
+  }
 }
 
 std::vector<std::string> preset_names() {

@@ -11,7 +11,7 @@ namespace survtrack {
 
 Detector::Detector(const Config& config)
     : outputs_(config.outputs),
-      segmenter_((check_fields(config), make_segmenter(config.segmenter))),
+      segmenter_((config.check(), make_segmenter(config.segmenter))),
       cleanup_(config.cleanup),
       blobs_(config.blobs) {}
 

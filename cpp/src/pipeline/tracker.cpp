@@ -17,12 +17,7 @@ namespace {
 constexpr std::size_t most_costs = 1'000'000;
 
 const Config& checked(const Config& config) {
-  check_fields(config);
-  // Checked here and not in Config::check, as options are set one after the other.
-  if (std::holds_alternative<MeanVelocityOptions>(config.filter) && std::holds_alternative<GaussianCostOptions>(config.cost)) {
-    throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
-                      "expected cost.model match_matrix, or filter.model kalman_cv or kalman_ca");
-  }
+  config.check();
   return config;
 }
 
@@ -107,12 +102,6 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
                      " is not the time given to predict() before; expected one update after each predict");
   }
   predicted_ = false;
-  const std::size_t entries = static_cast<std::size_t>(table_.size()) * detections.items.size();
-  constexpr std::size_t most_entries = 1'000'000;
-  if (outputs_.cost_matrix && entries > most_entries) {
-    throw InputError("outputs.cost_matrix: the matrix of " + std::to_string(table_.size()) + " tracks by " +
-                     std::to_string(detections.items.size()) + " detections has more than 1000000 entries; expected false");
-  }
   matcher_.match(table_, detections, result.matches);
   was_lost_.assign(static_cast<std::size_t>(table_.size()), 0);
   for (int i = 0; i < table_.size(); ++i) {

@@ -47,5 +47,35 @@ TEST(NarayanaTables, Figure93Euclidean) {
   EXPECT_EQ(assign_hungarian(costs), (Assignment{1, 0, 2}));
 }
 
+/// Beliefs as costs, by the thesis's rule (8): a track takes its best free blob, and is lost when that one's belief
+/// is not above the "lost" entry, which is each row's last.
+CostMatrix costs_of_beliefs(std::initializer_list<std::initializer_list<double>> rows) {
+  const CostMatrix beliefs = costs_of(rows);
+  const int lost = beliefs.columns() - 1;
+  CostMatrix costs;
+  costs.resize(beliefs.rows(), lost);
+  for (int r = 0; r < beliefs.rows(); ++r) {
+    for (int c = 0; c < lost; ++c) costs(r, c) = beliefs(r, c) > beliefs(r, lost) ? -beliefs(r, c) : gated;
+  }
+  return costs;
+}
+
+TEST(NarayanaTables, Figure88LosesTracks3And11) {
+  const CostMatrix costs = costs_of_beliefs({{0.00, 0.10, 0.90},    // track 3 lost
+                                             {0.00, 1.00, 0.00},    // track 7 -> blob 2
+                                             {0.00, 0.39, 0.61},    // track 11 lost
+                                             {1.00, 0.00, 0.00}});  // track 12 -> blob 1
+  EXPECT_EQ(assign_oldest_first(costs), (Assignment{-1, 1, -1, 0}));
+  EXPECT_EQ(assign_hungarian(costs), (Assignment{-1, 1, -1, 0}));
+}
+
+TEST(NarayanaTables, Figure93BeliefLosesTrack12AndLeavesBlob3ToANewTrack) {
+  const CostMatrix costs = costs_of_beliefs({{0.35, 0.55, 0.00, 0.10},    // track 3 -> blob 2
+                                             {0.38, 0.52, 0.00, 0.10},    // track 7 -> blob 1
+                                             {0.00, 0.00, 0.49, 0.51}});  // track 12 lost
+  EXPECT_EQ(assign_oldest_first(costs), (Assignment{1, 0, -1}));
+  EXPECT_EQ(assign_hungarian(costs), (Assignment{1, 0, -1}));
+}
+
 }  // namespace
 }  // namespace survtrack

@@ -23,13 +23,9 @@ struct Inner {
 struct Outer {
   double share = 0.5;
   Inner inner;
-  bool flag = false;
   static constexpr auto fields() {
     return std::make_tuple(field("share", &Outer::share, "", "a share", above_up_to(0, 1)),
-                           field("inner", &Outer::inner, "", "inside"), field("flag", &Outer::flag, "", "a flag"));
-  }
-  void check(const std::string& path) const {
-    if (flag && inner.count > 3) throw ConfigError(join_path(path, "flag") + ": needs a small count");
+                           field("inner", &Outer::inner, "", "inside"));
   }
 };
 
@@ -77,14 +73,6 @@ TEST(CheckFields, RefusesWhatIsNotFinite) {
     options.share = bad;
     EXPECT_TRUE(contains(message_of<ConfigError>([&] { check_fields(options); }), "share: ", "above 0 and at most 1"));
   }
-}
-
-TEST(CheckFields, RunsRulesOverSeveralOptions) {
-  Outer options;
-  options.flag = true;
-  EXPECT_NO_THROW(check_fields(options));
-  options.inner.count = 4;
-  EXPECT_EQ(message_of<ConfigError>([&] { check_fields(options, "outer"); }), "outer.flag: needs a small count");
 }
 
 }  // namespace

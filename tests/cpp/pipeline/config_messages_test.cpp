@@ -101,6 +101,8 @@ TEST(ConfigMessages, AFilterWithoutCovarianceHasNoGaussianCost) {
   config.filter = MeanVelocityOptions{};
   config.cost = GaussianCostOptions{};
   EXPECT_TRUE(contains(message_of<ConfigError>([&] { Tracker{config}; }), "cost.model: ", "mean_velocity", "match_matrix"));
+  EXPECT_THROW(Detector{config}, ConfigError);
+  EXPECT_THROW(config.check(), ConfigError);
   config.cost = MatchMatrixOptions{};
   EXPECT_NO_THROW(Tracker{config});
 }

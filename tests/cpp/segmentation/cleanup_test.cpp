@@ -5,7 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/simd.hpp"
+#include "../simd_levels.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/segmentation/cleanup.hpp"
 
@@ -95,14 +95,7 @@ cv::Mat reference(const cv::Mat& mask, const CleanupOptions& options) {
   return result;
 }
 
-class CleanupLevels : public testing::TestWithParam<int> {
- protected:
-  void SetUp() override {
-    if (GetParam() > static_cast<int>(simd::best_level())) GTEST_SKIP() << "this CPU has no such level";
-    simd::set_level(static_cast<simd::Level>(GetParam()));
-  }
-  void TearDown() override { simd::set_level(simd::best_level()); }
-};
+class CleanupLevels : public AtEverySimdLevel {};
 
 TEST_P(CleanupLevels, MatchOpenCvOnRandomMasks) {
   cv::RNG random(11);
@@ -132,7 +125,7 @@ TEST_P(CleanupLevels, MatchOpenCvOnRandomMasks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Simd, CleanupLevels, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(Levels, CleanupLevels, testing::ValuesIn(simd_levels()), simd_level_name);
 
 TEST(Cleanup, RefusesWhatIsNoMask) {
   cv::Mat colour(4, 4, CV_8UC3, cv::Scalar::all(0)), real(4, 4, CV_32FC1, cv::Scalar(0)), none;

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/simd.hpp"
+#include "../simd_levels.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
 
@@ -208,14 +208,7 @@ std::vector<cv::Mat> defined(const MovingAverageOptions& options, const std::vec
   return masks;
 }
 
-class MovingAverageLevels : public testing::TestWithParam<int> {
- protected:
-  void SetUp() override {
-    if (GetParam() > static_cast<int>(simd::best_level())) GTEST_SKIP() << "this CPU has no such level";
-    simd::set_level(static_cast<simd::Level>(GetParam()));
-  }
-  void TearDown() override { simd::set_level(simd::best_level()); }
-};
+class MovingAverageLevels : public AtEverySimdLevel {};
 
 TEST_P(MovingAverageLevels, MatchTheDefinition) {
   cv::RNG random(7);
@@ -257,7 +250,7 @@ TEST_P(MovingAverageLevels, LongBrightWindowsDoNotOverflow) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Simd, MovingAverageLevels, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(Levels, MovingAverageLevels, testing::ValuesIn(simd_levels()), simd_level_name);
 
 TEST(MovingAverage, RefusesCallsOutOfOrder) {
   const auto model = make_segmenter(MovingAverageOptions{.window_frames = 4});

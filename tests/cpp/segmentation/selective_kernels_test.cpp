@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "core/simd.hpp"
+#include "../simd_levels.hpp"
 
 namespace survtrack::kernels {
 namespace {
@@ -160,14 +160,6 @@ class Scene {
   std::mt19937 random_{7};
 };
 
-std::vector<simd::Level> levels() {
-  std::vector<simd::Level> result;
-  for (const auto level : {simd::Level::baseline, simd::Level::avx2, simd::Level::avx512}) {
-    if (level <= simd::best_level()) result.push_back(level);
-  }
-  return result;
-}
-
 /// Returns how many pixels in all differed from the background and yet were no foreground.
 template <int channels>
 std::size_t compare_with_judge(std::size_t width, SelectiveStep step) {
@@ -192,13 +184,8 @@ std::size_t compare_with_judge(std::size_t width, SelectiveStep step) {
   return removed;
 }
 
-class SelectiveKernels : public testing::TestWithParam<simd::Level> {
- protected:
-  void SetUp() override { simd::set_level(GetParam()); }
-  void TearDown() override { simd::set_level(simd::best_level()); }
-};
-INSTANTIATE_TEST_SUITE_P(Levels, SelectiveKernels, testing::ValuesIn(levels()),
-                         [](const auto& level) { return "level" + std::to_string(static_cast<int>(level.param)); });
+class SelectiveKernels : public AtEverySimdLevel {};
+INSTANTIATE_TEST_SUITE_P(Levels, SelectiveKernels, testing::ValuesIn(simd_levels()), simd_level_name);
 
 TEST_P(SelectiveKernels, EqualThePlainModelAtEveryWidth) {
   for (const std::size_t width : {1, 2, 7, 15, 16, 17, 31, 32, 33, 63, 65, 130, 1000}) {

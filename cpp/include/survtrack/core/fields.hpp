@@ -74,16 +74,10 @@ inline std::string join_path(const std::string& path, const char* name) {
 
 [[noreturn]] void refuse_number(const std::string& path, double value, const Bounds& bounds);
 
-/// Checks every number of an option struct, and of those inside it, against its bounds; a struct
-/// with a rule over several options adds `void check(const std::string& path) const`.
-/// Throws `ConfigError` with the full path.
+/// Checks every number of an option struct, and of those inside it, against its bounds. Throws `ConfigError`
+/// with the full path.
 template <class Struct>
 void check_fields(const Struct& options, const std::string& path = {});
-
-template <class T, class = void>
-struct has_check : std::false_type {};
-template <class T>
-struct has_check<T, std::void_t<decltype(std::declval<const T&>().check(std::string{}))>> : std::true_type {};
 
 template <class Value>
 void check_value(const Value& value, const Bounds& bounds, const std::string& path) {
@@ -100,7 +94,6 @@ void check_value(const Value& value, const Bounds& bounds, const std::string& pa
 template <class Struct>
 void check_fields(const Struct& options, const std::string& path) {
   for_each_field<Struct>([&](const auto& f) { check_value(options.*(f.member), f.bounds, join_path(path, f.name)); });
-  if constexpr (has_check<Struct>::value) options.check(path);
 }
 
 }  // namespace survtrack

@@ -77,8 +77,9 @@ struct Config {
   std::string to_toml() const;
   std::string to_json() const;
 
-  /// Checks all bounds and the rules between options.
-  void check(const std::string& path = {}) const;
+  /// Checks all bounds and the rules between sections, as every stage's constructor does. The rules wait for this,
+  /// because options are set one after the other. Throws `ConfigError`.
+  void check() const;
 
   bool operator==(const Config& other) const { return to_json() == other.to_json(); }
 };
