@@ -1519,6 +1519,10 @@ class Config:
         """
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: str) -> None: ...
+    def check(self) -> None:
+        """
+        Raises ConfigError unless all bounds and the rules between sections hold.
+        """
     def replace(self, **options: typing.Any) -> Config:
         """
         A copy with some options changed.
