@@ -91,7 +91,7 @@ void bind_config(py::module_& module) {
           "Sets one option, as in set(\"filter.model=kalman_ca\"). Choosing a model resets its options.");
   cls.def("to_toml", &Config::to_toml, "All options as a TOML file, each with its unit and meaning.");
   cls.def("to_json", &Config::to_json, "All options as JSON.");
-  cls.def("check", &Config::check, "Raises ConfigError unless all bounds and the rules between sections hold.");
+  cls.def("check", [](const Config& self) { self.check(); }, "Raises ConfigError unless all bounds and the rules between sections hold.");
 
   module.def("preset_names", &preset_names, "Names of the presets, the default one first.");
   module.def("preset_text", &preset_text, py::arg("name"),

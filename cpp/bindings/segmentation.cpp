@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <memory>
+#include <optional>
 
 #include "results.hpp"
 #include "survtrack/blobs/blob_extractor.hpp"
@@ -25,7 +26,7 @@ struct PySegmenter {
   std::unique_ptr<Segmenter> model;
   cv::Size size;
   int channels = 0;
-  double time_s = -std::numeric_limits<double>::infinity();
+  std::optional<double> time_s;
 };
 
 py::array segment(PySegmenter& self, const py::object& frame, double time_s) {
@@ -88,7 +89,7 @@ void bind_segmentation(py::module_& module) {
       .def("reset", [](PySegmenter& self) {
         self.model->reset();
         self.channels = 0;
-        self.time_s = -std::numeric_limits<double>::infinity();
+        self.time_s.reset();
       }, "Forgets everything: the next frame is a first frame.");
   module.def("clean_mask", &clean_mask, py::arg("mask"), py::arg("options") = CleanupOptions{},
              "A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing. The input is left alone.");

@@ -422,7 +422,7 @@ class SelectiveOptions:
         remove_shadows: what is darker but of the background's colour is no foreground; colour frames only
         shadow_darkest: a shadow keeps at least this part of the brightness; between 0 and 1
         shadow_color_tolerance: a shadow's channels differ by no more from the darkened background [grey levels]; between 0 and 255
-        scene_change_fraction: more foreground than this part of the frame: the scene changed and the background starts anew; above 0 and at most 1
+        scene_change_fraction: when more of the frame than this differs from the background, the scene changed and the background starts anew; above 0 and at most 1
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -480,7 +480,7 @@ class SelectiveOptions:
     @property
     def scene_change_fraction(self) -> float:
         """
-        more foreground than this part of the frame: the scene changed and the background starts anew
+        when more of the frame than this differs from the background, the scene changed and the background starts anew
         """
     @scene_change_fraction.setter
     def scene_change_fraction(self, value: typing.Never) -> None: ...

@@ -65,10 +65,9 @@ void BlobExtractor::drop_below(double area_px) {
 void BlobExtractor::drop_unexpected(const Expectation& expectation, double min_area_px, const cv::Size& size) {
   for (BlobPart& part : parts_) {
     if (part.dropped || part.expected) continue;
-    const bool at_border = part.left <= 1 || part.top <= 1 || part.right >= size.width - 1 || part.bottom >= size.height - 1;
-    const double height_px = part.bottom - part.top;
-    const bool low = expectation.scale.known && !at_border &&
-                     height_px < options_.min_relative_height * expectation.scale.height_px(part.bottom);
+    const Box box = part.box();
+    const bool low = expectation.scale.known && !touches_border(box, size.width, size.height) &&
+                     box.height < options_.min_relative_height * expectation.scale.height_px(box.bottom());
     part.dropped = low || static_cast<double>(part.area_px) < min_area_px;
   }
 }

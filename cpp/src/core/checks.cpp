@@ -58,7 +58,7 @@ void check_same_format(const cv::Mat& image, const cv::Size& size, int channels,
   throw InputError(text.str());
 }
 
-void check_time(double time_s, double previous_time_s) {
+void check_time(double time_s, std::optional<double> previous_time_s) {
   std::ostringstream text;
   text.precision(17);
   constexpr double longest_s = 1e12;  // filters stay finite over any step
@@ -66,8 +66,8 @@ void check_time(double time_s, double previous_time_s) {
     text << "time_s: is " << time_s << "; expected a finite number of seconds within +-1e12";
     throw InputError(text.str());
   }
-  if (!(time_s > previous_time_s)) {
-    text << "time_s: " << time_s << " does not come after " << previous_time_s
+  if (previous_time_s && !(time_s > *previous_time_s)) {
+    text << "time_s: " << time_s << " does not come after " << *previous_time_s
          << ", the time of the frame before; times must increase";
     throw InputError(text.str());
   }

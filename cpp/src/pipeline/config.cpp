@@ -3,8 +3,6 @@
 
 #include "survtrack/pipeline/config.hpp"
 
-#include <algorithm>
-
 #include "core/options_json.hpp"
 #include "core/toml.hpp"
 #include "pipeline/embedded_presets.hpp"
@@ -88,12 +86,13 @@ void Config::set(const std::string& option_and_value) {
 
 std::string Config::to_json() const { return options_json::struct_to_json(*this).dump(2); }
 
-void Config::check() const {
+const Config& Config::check() const {
   check_fields(*this);
   if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
     throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
                       "expected cost.model match_matrix, or filter.model kalman_cv or kalman_ca");
   }
+  return *this;
 }
 
 std::vector<std::string> preset_names() {

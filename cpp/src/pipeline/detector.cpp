@@ -10,8 +10,8 @@
 namespace survtrack {
 
 Detector::Detector(const Config& config)
-    : outputs_(config.outputs),
-      segmenter_((config.check(), make_segmenter(config.segmenter))),
+    : outputs_(config.check().outputs),
+      segmenter_(make_segmenter(config.segmenter)),
       cleanup_(config.cleanup),
       blobs_(config.blobs) {}
 
@@ -20,7 +20,7 @@ bool Detector::push(const cv::Mat& image, double time_s, std::optional<std::int6
   if (due()) throw InputError("frame: came before detect() of the one that is due");
   check_image(image);
   if (channels_ != 0) check_same_format(image, size_, channels_);
-  check_time(time_s, last_time_s_.value_or(-std::numeric_limits<double>::infinity()));
+  check_time(time_s, last_time_s_);
   const std::int64_t next_index = index.value_or(last_index_ + 1);
   constexpr std::int64_t largest_index = std::int64_t{1} << 53;  // exact in every file format
   if (next_index < 0 || next_index > largest_index) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "survtrack/core/checks.hpp"
@@ -15,11 +14,6 @@ namespace survtrack {
 namespace {
 
 constexpr std::size_t most_costs = 1'000'000;
-
-const Config& checked(const Config& config) {
-  config.check();
-  return config;
-}
 
 Event event_of(EventKind kind, const Track& track, const Detections& now) {
   Event event;
@@ -43,13 +37,13 @@ Event event_of(EventKind kind, const Track& track, const Detections& now) {
 }  // namespace
 
 Tracker::Tracker(const Config& config)
-    : outputs_(checked(config).outputs),
+    : outputs_(config.check().outputs),
       table_(config.filter, config.measurement, config.time_unit_s),
       matcher_(config.cost, config.assignment),
       lifecycle_(make_lifecycle(config.lifecycle)) {}
 
 const Expectation& Tracker::predict(double time_s) {
-  check_time(time_s, last_time_s_.value_or(-std::numeric_limits<double>::infinity()));
+  check_time(time_s, last_time_s_);
   last_time_s_ = time_s;
   predicted_ = true;
   table_.predict(time_s);

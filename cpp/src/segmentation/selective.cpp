@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <string>
 
 #include "segmentation/pixel_rect.hpp"
@@ -37,7 +37,7 @@ class SelectiveSegmenter final : public Segmenter {
                std::vector<Event>& events) override {
     check_image(frame);
     if (channels_ != 0) check_same_format(frame, size_, channels_);
-    check_time(expectation.time_s, channels_ != 0 ? previous_s_ : -std::numeric_limits<double>::infinity());
+    check_time(expectation.time_s, channels_ != 0 ? std::optional(previous_s_) : std::nullopt);
     if (frame.channels() == 3) {
       segment_channels<3>(frame, expectation, mask, events);
     } else {

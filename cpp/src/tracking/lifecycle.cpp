@@ -3,9 +3,6 @@
 
 #include "survtrack/tracking/lifecycle.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace survtrack {
 namespace {
 

@@ -14,11 +14,6 @@ constexpr double group_margin = 0.6;
 /// What moves slower, in object sizes per second, says nothing about the scene's scale: it may be a ghost.
 constexpr double scale_min_speed = 0.2;
 
-bool touches_border(const Box& box, const Detections& frame) {
-  return box.x <= 1.0 || box.y <= 1.0 || box.right() >= frame.frame_width - 1.0 ||
-         box.bottom() >= frame.frame_height - 1.0;
-}
-
 }  // namespace
 
 TrackTable::TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, double time_unit_s)
@@ -78,7 +73,7 @@ void TrackTable::match(int i, int detection, const Detections& detections) {
   const double speed = std::hypot(track.velocity_px_per_s.x, track.velocity_px_per_s.y);
   const bool alone = !row.grouped && !seen.shared;
   if (alone && row.believed() && detections.frame_height > 0 && speed > scale_min_speed * row.size_px() &&
-      !touches_border(seen.box, detections)) {
+      !touches_border(seen.box, detections.frame_width, detections.frame_height)) {
     scale_.add(seen.box, detections.frame_height);
   }
 }

@@ -47,8 +47,8 @@ def survtrack_command(
 ) -> None:
     """Track moving objects with one static camera, explainably and without a GPU.
 
-    Exit codes: 0 done, 1 something failed, 2 wrong use, 130 interrupted. SURVTRACK_TRACEBACK=1
-    shows where in the program an error came from.
+    Exit codes: 0 done, 1 something failed, 2 wrong use, 130 or 143 interrupted.
+    SURVTRACK_TRACEBACK=1 shows where in the program an error came from.
     """
 
 

@@ -30,10 +30,10 @@ struct Outer {
 };
 
 TEST(Bounds, AllowTheirEndsAsTheySay) {
-  EXPECT_TRUE(allows(at_least(2), 2.0));
-  EXPECT_FALSE(allows(at_least(2), std::nextafter(2.0, 0.0)));
-  EXPECT_FALSE(allows(above(2), 2.0));
-  EXPECT_TRUE(allows(above(2), std::nextafter(2.0, 3.0)));
+  EXPECT_TRUE(allows(Bounds{2}, 2.0));
+  EXPECT_FALSE(allows(Bounds{2}, std::nextafter(2.0, 0.0)));
+  EXPECT_FALSE(allows(Bounds{2, std::numeric_limits<double>::infinity(), true}, 2.0));
+  EXPECT_TRUE(allows(Bounds{2, std::numeric_limits<double>::infinity(), true}, std::nextafter(2.0, 3.0)));
   EXPECT_TRUE(allows(between(0, 1), 0.0));
   EXPECT_TRUE(allows(between(0, 1), 1.0));
   EXPECT_FALSE(allows(between(0, 1), 1.0000001));
@@ -49,8 +49,8 @@ TEST(Bounds, OddNumbersAndZero) {
 
 TEST(Bounds, DescribeThemselves) {
   EXPECT_EQ(describe({}), "a finite number");
-  EXPECT_EQ(describe(at_least(2)), "at least 2");
-  EXPECT_EQ(describe(above(0)), "above 0");
+  EXPECT_EQ(describe(Bounds{2}), "at least 2");
+  EXPECT_EQ(describe(Bounds{0, std::numeric_limits<double>::infinity(), true}), "above 0");
   EXPECT_EQ(describe(between(0, 1e6)), "between 0 and 1000000");
   EXPECT_EQ(describe(above_up_to(0, 0.5)), "above 0 and at most 0.5");
   EXPECT_EQ(describe(odd_up_to(31)), "between 0 and 31, 0 or odd");

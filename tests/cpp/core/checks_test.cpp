@@ -68,10 +68,10 @@ TEST(CheckSameFormat, NamesBothFormats) {
 
 TEST(CheckTime, MustBeFiniteAndIncrease) {
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_NO_THROW(check_time(-5.0, -infinity));
+  EXPECT_NO_THROW(check_time(-5.0, std::nullopt));
   EXPECT_NO_THROW(check_time(1.0, std::nextafter(1.0, 0.0)));
   for (const double time_s : {std::nan(""), infinity, -infinity, 2e12}) {
-    EXPECT_TRUE(contains(message_of<InputError>([&] { check_time(time_s, -infinity); }), "time_s: is ", "finite"));
+    EXPECT_TRUE(contains(message_of<InputError>([&] { check_time(time_s, std::nullopt); }), "time_s: is ", "finite"));
   }
   EXPECT_TRUE(contains(message_of<InputError>([] { check_time(1.5, 1.5); }), "time_s: 1.5 does not come after 1.5"));
   EXPECT_TRUE(contains(message_of<InputError>([] { check_time(1.0, 1.5); }), "time_s: 1 does not come after 1.5"));

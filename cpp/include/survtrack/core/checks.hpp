@@ -4,6 +4,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <optional>
 
 namespace survtrack {
 
@@ -14,7 +15,7 @@ void check_image(const cv::Mat& image, const char* name = "frame");
 /// Also refuses an image whose size or channel count is not that of the frames before.
 void check_same_format(const cv::Mat& image, const cv::Size& size, int channels, const char* name = "frame");
 
-/// Refuses a time that is not finite, or not later than the one before.
-void check_time(double time_s, double previous_time_s);
+/// Refuses a time that is not finite, or not later than the one before, if there was one.
+void check_time(double time_s, std::optional<double> previous_time_s);
 
 }  // namespace survtrack

@@ -3,13 +3,11 @@
 
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <variant>
 
 #include "survtrack/core/errors.hpp"
@@ -24,8 +22,6 @@ struct Bounds {
   bool odd_or_zero = false;
 };
 
-constexpr Bounds at_least(double low) { return {low}; }
-constexpr Bounds above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
 constexpr Bounds between(double low, double high) { return {low, high}; }
 constexpr Bounds above_up_to(double low, double high) { return {low, high, true}; }
 constexpr Bounds odd_up_to(double high) { return {0.0, high, false, true}; }

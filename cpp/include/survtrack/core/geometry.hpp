@@ -65,6 +65,11 @@ struct Box {
   }
 };
 
+/// Whether a box reaches the frame's border, to a pixel: what is cut off there is not seen.
+inline bool touches_border(const Box& box, double frame_width, double frame_height) {
+  return box.x <= 1.0 || box.y <= 1.0 || box.right() >= frame_width - 1.0 || box.bottom() >= frame_height - 1.0;
+}
+
 /// Area common to two boxes, in px^2; 0 when they do not meet.
 inline double intersection_px(const Box& a, const Box& b) {
   const double w = std::min(a.right(), b.right()) - std::max(a.x, b.x);

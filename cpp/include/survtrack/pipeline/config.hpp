@@ -77,9 +77,9 @@ struct Config {
   std::string to_toml() const;
   std::string to_json() const;
 
-  /// Checks all bounds and the rules between sections, as every stage's constructor does. The rules wait for this,
-  /// because options are set one after the other. Throws `ConfigError`.
-  void check() const;
+  /// Checks all bounds and the rules between sections, as `Detector` and `Tracker` do. The rules wait for this, because
+  /// options are set one after the other. Returns the config. Throws `ConfigError`.
+  const Config& check() const;
 
   bool operator==(const Config& other) const { return to_json() == other.to_json(); }
 };

@@ -77,7 +77,7 @@ struct SelectiveOptions {
         field("shadow_color_tolerance", &O::shadow_color_tolerance, "grey levels",
               "a shadow's channels differ by no more from the darkened background", between(0, 255)),
         field("scene_change_fraction", &O::scene_change_fraction, "",
-              "more foreground than this part of the frame: the scene changed and the background starts anew",
+              "when more of the frame than this differs from the background, the scene changed and the background starts anew",
               above_up_to(0, 1)));
   }
 };

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "survtrack/core/detection.hpp"
 #include "survtrack/core/event.hpp"
