@@ -5,7 +5,7 @@
 # package editable: changes in Python need nothing, changes in C++ this script again.
 source "$(dirname "$0")/common.sh"
 
-key=$(hash_of CMakeLists.txt cmake cpp presets pyproject.toml "$STAMPS/venv")
+key=$(hash_of CMakeLists.txt cmake cpp benchmarks/cpp presets pyproject.toml "$STAMPS/venv")
 if done_before survtrack "$key" && "$VENV/bin/python" -c 'import survtrack' 2>/dev/null; then
   say "survtrack: built from these sources"
   exit 0
@@ -17,6 +17,7 @@ say "survtrack: building (log in build/survtrack.log)"
   --config-settings=cmake.build-type=Release \
   --config-settings=cmake.define.SURVTRACK_BUILD_TESTS=ON \
   --config-settings=cmake.define.SURVTRACK_BUILD_EXAMPLES=ON \
+  --config-settings=cmake.define.SURVTRACK_BUILD_BENCHMARKS=ON \
   --config-settings=cmake.define.SURVTRACK_WARNINGS_AS_ERRORS=ON \
   --editable . >build/survtrack.log 2>&1 || {
   tail -n 60 build/survtrack.log >&2

@@ -41,5 +41,6 @@ void bind_segmentation(py::module_& module);
 void bind_filtering(py::module_& module);
 void bind_association(py::module_& module);
 void bind_pipeline(py::module_& module);
+void bind_offline(py::module_& module);
 
 }  // namespace survtrack::bindings

@@ -34,4 +34,5 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_filtering(module);
   bindings::bind_association(module);
   bindings::bind_pipeline(module);
+  bindings::bind_offline(module);
 }

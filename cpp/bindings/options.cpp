@@ -13,6 +13,9 @@ void bind_options(py::module_& module) {
   bind_model_options<Mog2Options>(module, "Mog2Options");
   bind_model_options<KnnOptions>(module, "KnnOptions");
   bind_frozen_options<CleanupOptions>(module, "CleanupOptions", "Noise removal on the mask: median, opening, closing");
+  bind_model_options<FragmentMergeOptions>(module, "FragmentMergeOptions");
+  bind_model_options<CloseMergeOptions>(module, "CloseMergeOptions");
+  bind_model_options<NoMergeOptions>(module, "NoMergeOptions");
   bind_frozen_options<BlobOptions>(module, "BlobOptions", "Which foreground regions count as detections");
   bind_model_options<KalmanCvOptions>(module, "KalmanCvOptions");
   bind_model_options<KalmanCaOptions>(module, "KalmanCaOptions");
@@ -21,10 +24,13 @@ void bind_options(py::module_& module) {
   bind_model_options<CentroidOptions>(module, "CentroidOptions");
   bind_model_options<GaussianCostOptions>(module, "GaussianCostOptions");
   bind_model_options<MatchMatrixOptions>(module, "MatchMatrixOptions");
+  bind_model_options<BeliefOptions>(module, "BeliefOptions");
   bind_model_options<HungarianOptions>(module, "HungarianOptions");
   bind_model_options<OldestFirstOptions>(module, "OldestFirstOptions");
   bind_model_options<ConfirmAndLoseOptions>(module, "ConfirmAndLoseOptions");
   bind_model_options<LostCountOptions>(module, "LostCountOptions");
+  bind_model_options<NoVicinityOptions>(module, "NoVicinityOptions");
+  bind_model_options<GridVicinityOptions>(module, "GridVicinityOptions");
   bind_frozen_options<OutputOptions>(module, "OutputOptions", "Extras of a result that cost something");
 }
 

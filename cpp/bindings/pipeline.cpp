@@ -71,7 +71,17 @@ void bind_whole(py::module_& module) {
            "None while a delayed pipeline fills. Raises InputError and then keeps its state.")
       .def("finish", &finish_pipeline, "The source has ended: the results still due. After it only reset() is allowed.")
       .def("reset", [](PyPipeline& self) { self.run([](Pipeline& p) { p.reset(); }); },
-           "Forgets frames and tracks; the next frame is a first frame and ids start at 1.");
+           "Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.")
+      .def("learned_scene", [](PyPipeline& self) { return self.run([](Pipeline& s) { return s.learned_scene(); }); },
+           "What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.")
+      .def(
+          "load_learned_scene",
+          [](PyPipeline& self, const std::string& json, const std::string& source) {
+            self.run([&](Pipeline& s) { s.load_learned_scene(json, source); });
+          },
+          py::arg("json"), py::arg("source") = "scene",
+          "Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,\n"
+          "naming source and the entry, and then keeps its state.");
 }
 
 void bind_detector(py::module_& module) {
@@ -134,7 +144,17 @@ void bind_tracker(py::module_& module) {
           },
           py::arg("detections"), "The second step of process, after predict for the same time.")
       .def("reset", [](PyTracker& self) { self.run([](Tracker& t) { t.reset(); }); self.next_index = 0; },
-           "Forgets all tracks; ids start at 1 again.");
+           "Forgets all tracks and all that was learned; ids start at 1 again.")
+      .def("learned_scene", [](PyTracker& self) { return self.run([](Tracker& s) { return s.learned_scene(); }); },
+           "What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.")
+      .def(
+          "load_learned_scene",
+          [](PyTracker& self, const std::string& json, const std::string& source) {
+            self.run([&](Tracker& s) { s.load_learned_scene(json, source); });
+          },
+          py::arg("json"), py::arg("source") = "scene",
+          "Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,\n"
+          "naming source and the entry, and then keeps its state.");
 }
 
 }  // namespace

@@ -165,6 +165,17 @@ void bind_detections(py::module_& module) {
                              "All detections as one structured array.");
 }
 
+/// None for a matrix without rows and columns.
+py::typing::Optional<py::array_t<double>> array_of_matrix(const CostMatrix& matrix) {
+  if (matrix.rows() == 0 && matrix.columns() == 0) return py::none();
+  py::array_t<double> array({matrix.rows(), matrix.columns()});
+  auto a = array.mutable_unchecked<2>();
+  for (int i = 0; i < matrix.rows(); ++i) {
+    for (int j = 0; j < matrix.columns(); ++j) a(i, j) = matrix(i, j);
+  }
+  return array;
+}
+
 template <class Class, class Get>
 void bind_tracking_part(Class& cls, Get get) {
   cls.def_property_readonly("index", [get](const typename Class::type& r) { return get(r).index; },
@@ -180,16 +191,14 @@ void bind_tracking_part(Class& cls, Get get) {
                              "The detector's, then the tracker's.")
       .def_property_readonly("matches", [get](const typename Class::type& r) { return get(r).matches.candidates; },
                              "All pairs of track and detection that passed the gate, with their costs.")
-      .def_property_readonly("costs", [get](const typename Class::type& r) -> py::object {
-        const CostMatrix& costs = get(r).costs;
-        if (costs.rows() == 0 && costs.columns() == 0) return py::none();
-        py::array_t<double> array({costs.rows(), costs.columns()});
-        auto a = array.mutable_unchecked<2>();
-        for (int i = 0; i < costs.rows(); ++i) {
-          for (int j = 0; j < costs.columns(); ++j) a(i, j) = costs(i, j);
-        }
-        return array;
-      }, "Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.");
+      .def_property_readonly("matrix_track_ids", [get](const typename Class::type& r) { return get(r).matrix_track_ids; },
+                             "The rows of costs and beliefs: ids of the tracks open before the frame; 0: tentative.")
+      .def_property_readonly("vicinity", [get](const typename Class::type& r) { return get(r).vicinity; },
+                             "The VicinityGrid of each class of detections (-1: none), with config.outputs.vicinity.")
+      .def_property_readonly("beliefs", [get](const typename Class::type& r) { return array_of_matrix(get(r).beliefs); },
+                             "Tracks x (detections + 1): probabilities, the last column for \"lost\", with cost.model belief\n"
+                             "and config.outputs.cost_matrix; else None.")
+      .def_property_readonly("costs", [get](const typename Class::type& r) { return array_of_matrix(get(r).costs); }, "Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.");
 }
 
 }  // namespace

@@ -95,6 +95,8 @@ void bind_event(py::module_& module) {
       .value("track_lost", EventKind::track_lost, "a confirmed track found no detection")
       .value("track_recovered", EventKind::track_recovered, "a lost track found a detection again")
       .value("track_ended", EventKind::track_ended, "a confirmed track was closed")
+      .value("converged", EventKind::converged, "tracks believe to be the same blob")
+      .value("anomalous_speed", EventKind::anomalous_speed, "a track moves unlike those before it there")
       .value("scene_changed", EventKind::scene_changed, "the whole scene changed")
       .finalize();
   py::class_<Event>(module, "Event", "Something that happened in one frame.")
@@ -111,6 +113,48 @@ void bind_event(py::module_& module) {
       .def("__repr__", [](const Event& e) {
         return py::str("Event(kind={}, index={}, track_id={})").format(to_string(e.kind), e.index, e.track_id);
       });
+}
+
+template <class Get>
+py::array_t<double> cell_array(const VicinityGrid& grid, Get get) {
+  py::array_t<double> array({grid.rows, grid.columns});
+  double* out = array.mutable_data();
+  for (const VicinityCell& cell : grid.cells) *out++ = static_cast<double>(get(cell));
+  return array;
+}
+
+void bind_vicinity(py::module_& module) {
+  py::class_<VicinityGrid>(module, "VicinityGrid",
+                           "The vicinity factor: how much things move, and so how near they are, in each cell of the\n"
+                           "scene (Narayana 2007, 6). Arrays are rows x columns float64.")
+      .def_readonly("cell_px", &VicinityGrid::cell_px, "Side of a cell, px.")
+      .def_property_readonly("frame_size", [](const VicinityGrid& g) { return std::pair<int, int>{g.frame_width, g.frame_height}; },
+                             "(width, height), px")
+      .def_readonly("max_factor", &VicinityGrid::max_factor)
+      .def_property_readonly("factor_y", [](const VicinityGrid& g) {
+        return cell_array(g, [](const VicinityCell& c) { return c.factor_y; });
+      }, "Vicinity factor in Y, 1 to max_factor.")
+      .def_property_readonly("factor_x", [](const VicinityGrid& g) {
+        return cell_array(g, [](const VicinityCell& c) { return c.factor_x; });
+      }, "Vicinity factor in X, 1 to max_factor.")
+      .def_property_readonly("updates", [](const VicinityGrid& g) {
+        return cell_array(g, [](const VicinityCell& c) { return c.updates; });
+      }, "Number of displacements learned.")
+      .def_property_readonly("active", [](const VicinityGrid& g) {
+        py::array_t<bool> array({g.rows, g.columns});
+        bool* out = array.mutable_data();
+        for (const VicinityCell& cell : g.cells) *out++ = VicinityGrid::active(cell);
+        return array;
+      }, "Rows x columns bool: cells where something was followed (7.2).")
+      .def_property_readonly("relative_size", [](const VicinityGrid& g) {
+        return cell_array(g, [](const VicinityCell& c) { return VicinityGrid::relative_size(c); });
+      }, "Relative size of objects: sqrt(factor_y^2 + factor_x^2) (7.2).")
+      .def_property_readonly("mean_step_px", [](const VicinityGrid& g) {
+        return cell_array(g, [](const VicinityCell& c) { return c.mean_step_px; });
+      }, "Mean length of a displacement, px per time unit.")
+      .def_property_readonly("step_deviation_px", [](const VicinityGrid& g) {
+        return cell_array(g, [](const VicinityCell& c) { return std::sqrt(c.step_variance_px2); });
+      }, "Its standard deviation, px per time unit.");
 }
 
 void bind_expectation(py::module_& module) {
@@ -133,6 +177,7 @@ void bind_expectation(py::module_& module) {
       .def_readonly("time_s", &Expectation::time_s)
       .def_readonly("tracks", &Expectation::tracks)
       .def_readonly("scale", &Expectation::scale, "How large objects are, where.")
+      .def_readonly("vicinity", &Expectation::vicinity, "How much things move, where; None without vicinity.model grid.")
       .def_readonly("regions", &Expectation::regions, "Where to look; empty: the whole frame.")
       .def_readonly("keep", &Expectation::keep, "Places that the background must not learn.");
   py::class_<Match>(module, "Match", "A pair of track and detection that passed the gate.")
@@ -150,6 +195,7 @@ void bind_values(py::module_& module) {
   bind_detection(module);
   bind_track(module);
   bind_event(module);
+  bind_vicinity(module);
   bind_expectation(module);
 }
 

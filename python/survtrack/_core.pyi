@@ -15,32 +15,44 @@ import numpy
 import numpy.typing
 
 __all__: list[str] = [
+    "BeliefOptions",
     "BlobOptions",
     "Box",
     "BoxCenterOptions",
     "CentroidOptions",
     "CleanupOptions",
+    "CloseMergeOptions",
     "Config",
     "ConfirmAndLoseOptions",
     "Detection",
     "Detections",
     "Detector",
+    "DroppedTrack",
     "Event",
     "EventKind",
     "Expectation",
     "FilterBank",
+    "FragmentMergeOptions",
     "FrameResult",
     "GaussianCostOptions",
+    "GridVicinityOptions",
+    "History",
+    "HistoryRecorder",
     "HungarianOptions",
     "KalmanCaOptions",
     "KalmanCvOptions",
     "KnnOptions",
+    "Link",
+    "LinkOptions",
+    "Linked",
     "LostCountOptions",
     "Match",
     "MatchMatrixOptions",
     "MeanVelocityOptions",
     "Mog2Options",
     "MovingAverageOptions",
+    "NoMergeOptions",
+    "NoVicinityOptions",
     "OldestFirstOptions",
     "OutputOptions",
     "Pipeline",
@@ -52,11 +64,13 @@ __all__: list[str] = [
     "TrackStatus",
     "Tracker",
     "TrackingResult",
+    "VicinityGrid",
     "assign_hungarian",
     "assign_oldest_first",
     "clean_mask",
     "find_blobs",
     "iou",
+    "link_tracks",
     "match_matrix",
     "options_reference",
     "preset",
@@ -263,7 +277,9 @@ class EventKind(enum.Enum):
     What happened.
     """
 
-    scene_changed = 4
+    anomalous_speed = 5
+    converged = 4
+    scene_changed = 6
     track_ended = 3
     track_lost = 1
     track_recovered = 2
@@ -309,6 +325,59 @@ class Event:
     def track_id(self) -> int:
         """
         0: concerns no track.
+        """
+
+class VicinityGrid:
+    """
+    The vicinity factor: how much things move, and so how near they are, in each cell of the
+    scene (Narayana 2007, 6). Arrays are rows x columns float64.
+    """
+    @property
+    def active(self) -> numpy.typing.NDArray[numpy.bool]:
+        """
+        Rows x columns bool: cells where something was followed (7.2).
+        """
+    @property
+    def cell_px(self) -> int:
+        """
+        Side of a cell, px.
+        """
+    @property
+    def factor_x(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Vicinity factor in X, 1 to max_factor.
+        """
+    @property
+    def factor_y(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Vicinity factor in Y, 1 to max_factor.
+        """
+    @property
+    def frame_size(self) -> tuple[int, int]:
+        """
+        (width, height), px
+        """
+    @property
+    def max_factor(self) -> float: ...
+    @property
+    def mean_step_px(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Mean length of a displacement, px per time unit.
+        """
+    @property
+    def relative_size(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Relative size of objects: sqrt(factor_y^2 + factor_x^2) (7.2).
+        """
+    @property
+    def step_deviation_px(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Its standard deviation, px per time unit.
+        """
+    @property
+    def updates(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Number of displacements learned.
         """
 
 class PredictedTrack:
@@ -382,6 +451,11 @@ class Expectation:
     def time_s(self) -> float: ...
     @property
     def tracks(self) -> list[PredictedTrack]: ...
+    @property
+    def vicinity(self) -> VicinityGrid | None:
+        """
+        How much things move, where; None without vicinity.model grid.
+        """
 
 class Match:
     """
@@ -756,6 +830,145 @@ class CleanupOptions:
     @open_px.setter
     def open_px(self, value: typing.Never) -> None: ...
 
+class FragmentMergeOptions:
+    """
+    join fragments that stand above each other, up to an object's height.
+
+    Args:
+        min_fragment_fraction: smaller fragments, as a part of the frame's area, are noise; between 0 and 1
+        gap: widest gap between fragments that are joined [object heights]; between 0 and 10
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "fragments"
+    def __copy__(self) -> FragmentMergeOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> FragmentMergeOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, min_fragment_fraction: float = 2e-05, gap: float = 0.25) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> FragmentMergeOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def gap(self) -> float:
+        """
+        widest gap between fragments that are joined [object heights]
+        """
+    @gap.setter
+    def gap(self, value: typing.Never) -> None: ...
+    @property
+    def min_fragment_fraction(self) -> float:
+        """
+        smaller fragments, as a part of the frame's area, are noise
+        """
+    @min_fragment_fraction.setter
+    def min_fragment_fraction(self, value: typing.Never) -> None: ...
+
+class CloseMergeOptions:
+    """
+    join blobs whose centroids and mean colours are close (Narayana 2007, eq. 4.1).
+
+    Args:
+        threshold_y_px: largest vertical distance of the centroids [px]; between 0 and 1000000
+        threshold_x_px: largest horizontal distance of the centroids [px]; between 0 and 1000000
+        color_threshold: largest difference in each mean colour channel [grey levels]; between 0 and 255
+        vicinity_scaled: multiply the distances by the vicinity factor between the two (6.4); needs vicinity.model grid
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "close"
+    def __copy__(self) -> CloseMergeOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> CloseMergeOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        threshold_y_px: float = 10.0,
+        threshold_x_px: float = 10.0,
+        color_threshold: float = 50.0,
+        vicinity_scaled: bool = False,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> CloseMergeOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def color_threshold(self) -> float:
+        """
+        largest difference in each mean colour channel [grey levels]
+        """
+    @color_threshold.setter
+    def color_threshold(self, value: typing.Never) -> None: ...
+    @property
+    def threshold_x_px(self) -> float:
+        """
+        largest horizontal distance of the centroids [px]
+        """
+    @threshold_x_px.setter
+    def threshold_x_px(self, value: typing.Never) -> None: ...
+    @property
+    def threshold_y_px(self) -> float:
+        """
+        largest vertical distance of the centroids [px]
+        """
+    @threshold_y_px.setter
+    def threshold_y_px(self, value: typing.Never) -> None: ...
+    @property
+    def vicinity_scaled(self) -> bool:
+        """
+        multiply the distances by the vicinity factor between the two (6.4); needs vicinity.model grid
+        """
+    @vicinity_scaled.setter
+    def vicinity_scaled(self, value: typing.Never) -> None: ...
+
+class NoMergeOptions:
+    """
+    every connected region is a blob of its own.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoMergeOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoMergeOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoMergeOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
 class BlobOptions:
     """
     Which foreground regions count as detections.
@@ -764,9 +977,7 @@ class BlobOptions:
         min_area_px: smaller blobs are dropped (S of Narayana 2007, 3.3) [px^2]; between 0 and 1000000000
         min_area_fraction: the same, as a part of the frame's area; the larger counts; between 0 and 1
         max_blobs: of more blobs in one frame the largest are kept; between 1 and 100000
-        merge_fragments: join fragments that stand above each other, up to an object's height
-        min_fragment_fraction: smaller fragments, as a part of the frame's area, are noise; between 0 and 1
-        merge_gap: widest gap between fragments that are joined [object heights]; between 0 and 10
+        merge: which regions are one blob
         share_blobs: divide a blob that covers several expected tracks among them
         share_cover: a track is covered when more than this part of its expected box is; between 0 and 1
         share_lost_s: tracks lost for longer get no share [s]; between 0 and 1000000
@@ -784,9 +995,7 @@ class BlobOptions:
         min_area_px: float = 0.0,
         min_area_fraction: float = 0.0001,
         max_blobs: int = 500,
-        merge_fragments: bool = True,
-        min_fragment_fraction: float = 2e-05,
-        merge_gap: float = 0.25,
+        merge: FragmentMergeOptions | CloseMergeOptions | NoMergeOptions = ...,
         share_blobs: bool = True,
         share_cover: float = 0.5,
         share_lost_s: float = 1.0,
@@ -813,19 +1022,12 @@ class BlobOptions:
     @max_blobs.setter
     def max_blobs(self, value: typing.Never) -> None: ...
     @property
-    def merge_fragments(self) -> bool:
+    def merge(self) -> FragmentMergeOptions | CloseMergeOptions | NoMergeOptions:
         """
-        join fragments that stand above each other, up to an object's height
+        which regions are one blob
         """
-    @merge_fragments.setter
-    def merge_fragments(self, value: typing.Never) -> None: ...
-    @property
-    def merge_gap(self) -> float:
-        """
-        widest gap between fragments that are joined [object heights]
-        """
-    @merge_gap.setter
-    def merge_gap(self, value: typing.Never) -> None: ...
+    @merge.setter
+    def merge(self, value: typing.Never) -> None: ...
     @property
     def min_area_fraction(self) -> float:
         """
@@ -840,13 +1042,6 @@ class BlobOptions:
         """
     @min_area_px.setter
     def min_area_px(self, value: typing.Never) -> None: ...
-    @property
-    def min_fragment_fraction(self) -> float:
-        """
-        smaller fragments, as a part of the frame's area, are noise
-        """
-    @min_fragment_fraction.setter
-    def min_fragment_fraction(self, value: typing.Never) -> None: ...
     @property
     def min_relative_height(self) -> float:
         """
@@ -1200,6 +1395,7 @@ class MatchMatrixOptions:
 
     Args:
         max_match: pairs of a larger value are refused; 0: none is; between 0 and 1000000
+        velocity_break_point: difference in velocity from which the velocity factor is 5 (4.2); 0: no such factor [px/unit]; between 0 and 1000000
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -1208,7 +1404,7 @@ class MatchMatrixOptions:
     def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> MatchMatrixOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
     def __getstate__(self) -> str: ...
-    def __init__(self, *, max_match: float = 0.0) -> None:
+    def __init__(self, *, max_match: float = 0.0, velocity_break_point: float = 0.0) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
@@ -1229,6 +1425,107 @@ class MatchMatrixOptions:
         """
     @max_match.setter
     def max_match(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_break_point(self) -> float:
+        """
+        difference in velocity from which the velocity factor is 5 (4.2); 0: no such factor [px/unit]
+        """
+    @velocity_break_point.setter
+    def velocity_break_point(self, value: typing.Never) -> None: ...
+
+class BeliefOptions:
+    """
+    probability that a track is each of the blobs, or lost, from colour, position, velocity (Narayana 2007, 8).
+
+    Args:
+        order: whether the order of the blobs matters, as published, or not; one of "free" "published"
+        velocity_break_point: difference in velocity from which the velocity factor is 0.2 (8.3.4); 0: no such factor [px/unit]; between 0 and 1000000
+        color_weight: Cf: the densities of colour have the peak Cf / 30; 0: colour is not looked at; between 0 and 3000
+        position_weight: Pf: the densities of position have the peak Pf / 30; 0: position is not looked at; between 0 and 3000
+        size_weight: the same for the logarithm of the size; 0: size is not looked at; between 0 and 3000
+        color_space: what colours are compared in; one of "bgr" "hsv" "lab"
+        learn_after: the densities are learned from matches, and used from so many on; 0: those of the beginning stay [matches]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "belief"
+    def __copy__(self) -> BeliefOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> BeliefOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        order: str = "free",
+        velocity_break_point: float = 0.0,
+        color_weight: float = 30.0,
+        position_weight: float = 30.0,
+        size_weight: float = 0.0,
+        color_space: str = "bgr",
+        learn_after: int = 200,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> BeliefOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def color_space(self) -> str:
+        """
+        what colours are compared in
+        """
+    @color_space.setter
+    def color_space(self, value: typing.Never) -> None: ...
+    @property
+    def color_weight(self) -> float:
+        """
+        Cf: the densities of colour have the peak Cf / 30; 0: colour is not looked at
+        """
+    @color_weight.setter
+    def color_weight(self, value: typing.Never) -> None: ...
+    @property
+    def learn_after(self) -> int:
+        """
+        the densities are learned from matches, and used from so many on; 0: those of the beginning stay [matches]
+        """
+    @learn_after.setter
+    def learn_after(self, value: typing.Never) -> None: ...
+    @property
+    def order(self) -> str:
+        """
+        whether the order of the blobs matters, as published, or not
+        """
+    @order.setter
+    def order(self, value: typing.Never) -> None: ...
+    @property
+    def position_weight(self) -> float:
+        """
+        Pf: the densities of position have the peak Pf / 30; 0: position is not looked at
+        """
+    @position_weight.setter
+    def position_weight(self, value: typing.Never) -> None: ...
+    @property
+    def size_weight(self) -> float:
+        """
+        the same for the logarithm of the size; 0: size is not looked at
+        """
+    @size_weight.setter
+    def size_weight(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_break_point(self) -> float:
+        """
+        difference in velocity from which the velocity factor is 0.2 (8.3.4); 0: no such factor [px/unit]
+        """
+    @velocity_break_point.setter
+    def velocity_break_point(self, value: typing.Never) -> None: ...
 
 class HungarianOptions:
     """
@@ -1415,6 +1712,128 @@ class LostCountOptions:
     @lost_after_frames.setter
     def lost_after_frames(self, value: typing.Never) -> None: ...
 
+class NoVicinityOptions:
+    """
+    no vicinity factor.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoVicinityOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoVicinityOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoVicinityOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class GridVicinityOptions:
+    """
+    how much things move in each cell of the scene (Narayana 2007, 6).
+
+    Args:
+        form: how the factor follows a displacement; one of "settling" "published_constant" "published_mean"
+        cell_px: side of a cell; no larger than the frame [px]; between 1 and 100000
+        max_factor: the largest factor; the smallest is 1, the first (1 + largest) / 2; between 1 and 1000
+        learning_rate: alpha: how fast a factor follows; above 0 and at most 1
+        anomaly_deviations: a track faster or slower by more than those before it in its cell is anomalous; 0: none is [standard deviations]; between 0 and 1000000
+        anomaly_after_updates: a cell that saw fewer calls nothing anomalous [updates]; between 2 and 1000000000
+        anomaly_frames: so many in a row raise the event anomalous_speed [frames]; between 1 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "grid"
+    def __copy__(self) -> GridVicinityOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> GridVicinityOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        form: str = "settling",
+        cell_px: int = 30,
+        max_factor: float = 5.0,
+        learning_rate: float = 0.1,
+        anomaly_deviations: float = 4.0,
+        anomaly_after_updates: int = 50,
+        anomaly_frames: int = 3,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> GridVicinityOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def anomaly_after_updates(self) -> int:
+        """
+        a cell that saw fewer calls nothing anomalous [updates]
+        """
+    @anomaly_after_updates.setter
+    def anomaly_after_updates(self, value: typing.Never) -> None: ...
+    @property
+    def anomaly_deviations(self) -> float:
+        """
+        a track faster or slower by more than those before it in its cell is anomalous; 0: none is [standard deviations]
+        """
+    @anomaly_deviations.setter
+    def anomaly_deviations(self, value: typing.Never) -> None: ...
+    @property
+    def anomaly_frames(self) -> int:
+        """
+        so many in a row raise the event anomalous_speed [frames]
+        """
+    @anomaly_frames.setter
+    def anomaly_frames(self, value: typing.Never) -> None: ...
+    @property
+    def cell_px(self) -> int:
+        """
+        side of a cell; no larger than the frame [px]
+        """
+    @cell_px.setter
+    def cell_px(self, value: typing.Never) -> None: ...
+    @property
+    def form(self) -> str:
+        """
+        how the factor follows a displacement
+        """
+    @form.setter
+    def form(self, value: typing.Never) -> None: ...
+    @property
+    def learning_rate(self) -> float:
+        """
+        alpha: how fast a factor follows
+        """
+    @learning_rate.setter
+    def learning_rate(self, value: typing.Never) -> None: ...
+    @property
+    def max_factor(self) -> float:
+        """
+        the largest factor; the smallest is 1, the first (1 + largest) / 2
+        """
+    @max_factor.setter
+    def max_factor(self, value: typing.Never) -> None: ...
+
 class OutputOptions:
     """
     Extras of a result that cost something.
@@ -1422,7 +1841,8 @@ class OutputOptions:
     Args:
         background: the background picture of every frame
         contours: the outer contour of every blob
-        cost_matrix: the whole matrix of costs, tracks by detections; at most a million entries
+        cost_matrix: the whole matrix of costs, tracks by detections, and that of beliefs; at most a million entries
+        vicinity: the vicinity grids, with vicinity.model grid
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -1431,7 +1851,12 @@ class OutputOptions:
     def __eq__(self, other: typing.Any) -> bool: ...
     def __getstate__(self) -> str: ...
     def __init__(
-        self, *, background: bool = False, contours: bool = False, cost_matrix: bool = False
+        self,
+        *,
+        background: bool = False,
+        contours: bool = False,
+        cost_matrix: bool = False,
+        vicinity: bool = False,
     ) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
@@ -1463,10 +1888,17 @@ class OutputOptions:
     @property
     def cost_matrix(self) -> bool:
         """
-        the whole matrix of costs, tracks by detections; at most a million entries
+        the whole matrix of costs, tracks by detections, and that of beliefs; at most a million entries
         """
     @cost_matrix.setter
     def cost_matrix(self, value: typing.Never) -> None: ...
+    @property
+    def vicinity(self) -> bool:
+        """
+        the vicinity grids, with vicinity.model grid
+        """
+    @vicinity.setter
+    def vicinity(self, value: typing.Never) -> None: ...
 
 class Config:
     """
@@ -1482,6 +1914,7 @@ class Config:
         cost: how well a detection fits a track
         assignment: who gets which detection
         lifecycle: when tracks are born, believed, lost and closed
+        vicinity: what the scene teaches about sizes and speeds
         outputs: extras of a result that cost something
     """
 
@@ -1509,9 +1942,10 @@ class Config:
         blobs: BlobOptions = ...,
         filter: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions = ...,
         measurement: BoxCenterOptions | CentroidOptions = ...,
-        cost: GaussianCostOptions | MatchMatrixOptions = ...,
+        cost: GaussianCostOptions | MatchMatrixOptions | BeliefOptions = ...,
         assignment: HungarianOptions | OldestFirstOptions = ...,
         lifecycle: ConfirmAndLoseOptions | LostCountOptions = ...,
+        vicinity: NoVicinityOptions | GridVicinityOptions = ...,
         outputs: OutputOptions = ...,
     ) -> None:
         """
@@ -1573,12 +2007,12 @@ class Config:
     @cleanup.setter
     def cleanup(self, value: CleanupOptions) -> None: ...
     @property
-    def cost(self) -> GaussianCostOptions | MatchMatrixOptions:
+    def cost(self) -> GaussianCostOptions | MatchMatrixOptions | BeliefOptions:
         """
         how well a detection fits a track
         """
     @cost.setter
-    def cost(self, value: GaussianCostOptions | MatchMatrixOptions) -> None: ...
+    def cost(self, value: GaussianCostOptions | MatchMatrixOptions | BeliefOptions) -> None: ...
     @property
     def filter(self) -> KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions:
         """
@@ -1623,6 +2057,13 @@ class Config:
         """
     @time_unit_s.setter
     def time_unit_s(self, value: float) -> None: ...
+    @property
+    def vicinity(self) -> NoVicinityOptions | GridVicinityOptions:
+        """
+        what the scene teaches about sizes and speeds
+        """
+    @vicinity.setter
+    def vicinity(self, value: NoVicinityOptions | GridVicinityOptions) -> None: ...
 
 class Detections:
     """
@@ -1692,7 +2133,13 @@ class TrackingResult:
     What the tracker knows after one frame.
     """
     @property
-    def costs(self) -> typing.Any:
+    def beliefs(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """
+        Tracks x (detections + 1): probabilities, the last column for "lost", with cost.model belief
+        and config.outputs.cost_matrix; else None.
+        """
+    @property
+    def costs(self) -> numpy.typing.NDArray[numpy.float64] | None:
         """
         Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.
         """
@@ -1712,6 +2159,11 @@ class TrackingResult:
         All pairs of track and detection that passed the gate, with their costs.
         """
     @property
+    def matrix_track_ids(self) -> list[int]:
+        """
+        The rows of costs and beliefs: ids of the tracks open before the frame; 0: tentative.
+        """
+    @property
     def tentative(self) -> list[Track]:
         """
         Candidates, seen too few times to be believed; their id is 0.
@@ -1728,6 +2180,11 @@ class TrackingResult:
         """
         Believed tracks (confirmed, lost, or closed in this frame) in order of id.
         """
+    @property
+    def vicinity(self) -> dict[int, VicinityGrid]:
+        """
+        The VicinityGrid of each class of detections (-1: none), with config.outputs.vicinity.
+        """
 
 class FrameResult:
     """
@@ -1739,7 +2196,13 @@ class FrameResult:
         The background picture, with config.outputs.background; else None.
         """
     @property
-    def costs(self) -> typing.Any:
+    def beliefs(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """
+        Tracks x (detections + 1): probabilities, the last column for "lost", with cost.model belief
+        and config.outputs.cost_matrix; else None.
+        """
+    @property
+    def costs(self) -> numpy.typing.NDArray[numpy.float64] | None:
         """
         Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.
         """
@@ -1779,6 +2242,11 @@ class FrameResult:
         All pairs of track and detection that passed the gate, with their costs.
         """
     @property
+    def matrix_track_ids(self) -> list[int]:
+        """
+        The rows of costs and beliefs: ids of the tracks open before the frame; 0: tentative.
+        """
+    @property
     def tentative(self) -> list[Track]:
         """
         Candidates, seen too few times to be believed; their id is 0.
@@ -1794,6 +2262,11 @@ class FrameResult:
     def tracks(self) -> list[Track]:
         """
         Believed tracks (confirmed, lost, or closed in this frame) in order of id.
+        """
+    @property
+    def vicinity(self) -> dict[int, VicinityGrid]:
+        """
+        The VicinityGrid of each class of detections (-1: none), with config.outputs.vicinity.
         """
 
 class Segmenter:
@@ -1909,6 +2382,15 @@ class Pipeline:
         """
         The source has ended: the results still due. After it only reset() is allowed.
         """
+    def learned_scene(self) -> str:
+        """
+        What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
+        """
+    def load_learned_scene(self, json: str, source: str = "scene") -> None:
+        """
+        Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,
+        naming source and the entry, and then keeps its state.
+        """
     def process(
         self,
         frame: typing.Any,
@@ -1922,7 +2404,7 @@ class Pipeline:
         """
     def reset(self) -> None:
         """
-        Forgets frames and tracks; the next frame is a first frame and ids start at 1.
+        Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.
         """
     @property
     def config(self) -> Config:
@@ -1977,6 +2459,15 @@ class Tracker:
         """
         Raises ConfigError.
         """
+    def learned_scene(self) -> str:
+        """
+        What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
+        """
+    def load_learned_scene(self, json: str, source: str = "scene") -> None:
+        """
+        Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,
+        naming source and the entry, and then keeps its state.
+        """
     def predict(self, time_s: typing.SupportsFloat | typing.SupportsIndex) -> Expectation:
         """
         Moves all tracks on to the coming frame's time and says what is expected there.
@@ -1995,11 +2486,232 @@ class Tracker:
         """
     def reset(self) -> None:
         """
-        Forgets all tracks; ids start at 1 again.
+        Forgets all tracks and all that was learned; ids start at 1 again.
         """
     def update(self, detections: Detections) -> TrackingResult:
         """
         The second step of process, after predict for the same time.
+        """
+
+class History:
+    """
+    All tracks of a run that is over.
+    """
+    @staticmethod
+    def from_columns(
+        *,
+        ids: typing.Any,
+        indices: typing.Any,
+        times_s: typing.Any,
+        boxes: typing.Any,
+        positions: typing.Any = None,
+        velocities_px_per_s: typing.Any = None,
+        mean_colors: typing.Any = None,
+    ) -> History:
+        """
+        From N points in any order: ids and indices (of frames, from 0) are N integers, times_s N numbers, boxes Nx4
+        (left, top, width, height in px), positions Nx2 in px (the box centres), velocities_px_per_s Nx2 (0),
+        mean_colors Nx3 (blue, green, red, 0 to 255; 0). Raises InputError that names track and frame index.
+        """
+    def __init__(self) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def array(self) -> numpy.ndarray:
+        """
+        All points as one structured array, track by track.
+        """
+
+class HistoryRecorder:
+    """
+    Collects the reported tracks of a run, frame by frame.
+    """
+    def __init__(self) -> None: ...
+    @typing.overload
+    def add(self, result: TrackingResult) -> None:
+        """
+        Takes the result of one frame; frames come in order.
+        """
+    @typing.overload
+    def add(self, result: FrameResult) -> None: ...
+    @property
+    def history(self) -> History:
+        """
+        A copy of what was collected.
+        """
+
+class LinkOptions:
+    """
+    When two tracks are one, and which tracks are too short to be real.
+
+    Args:
+        max_gap_s: longest time between the end of a track and the start of the next; 0: none are joined [s]; between 0 and 1000000
+        max_distance: largest distance between end and start, both extrapolated to the middle of the gap [object sizes]; between 0 and 1000000
+        max_distance_growth: what each second of the gap adds to max_distance [object sizes/s]; between 0 and 1000000
+        max_speed_difference: largest difference of the velocities before and after the gap [object sizes/s]; between 0 and 1000000
+        max_color_difference: largest distance of the mean colours, 0 to 1.73 (Narayana 2007, eq. 3.6); between 0 and 1000000
+        max_cost: a join costs less: the mean of gap, distance, speed and colour difference in parts of their limits; between 0 and 1
+        end_s: stretch of a track from which the velocity, size and colour of its end are taken [s]; between 0 and 1000000
+        min_frames: a track seen in fewer is dropped [frames]; between 0 and 1000000
+        min_s: a track that lasts less is dropped [s]; between 0 and 1000000
+        min_travel: a track that never gets so far from its first place is dropped; 0 where objects may stand [object sizes]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __copy__(self) -> LinkOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> LinkOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        max_gap_s: float = 3.0,
+        max_distance: float = 0.75,
+        max_distance_growth: float = 0.5,
+        max_speed_difference: float = 1.0,
+        max_color_difference: float = 0.3,
+        max_cost: float = 0.5,
+        end_s: float = 1.0,
+        min_frames: int = 3,
+        min_s: float = 0.5,
+        min_travel: float = 0.5,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> LinkOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def end_s(self) -> float:
+        """
+        stretch of a track from which the velocity, size and colour of its end are taken [s]
+        """
+    @property
+    def max_color_difference(self) -> float:
+        """
+        largest distance of the mean colours, 0 to 1.73 (Narayana 2007, eq. 3.6)
+        """
+    @property
+    def max_cost(self) -> float:
+        """
+        a join costs less: the mean of gap, distance, speed and colour difference in parts of their limits
+        """
+    @property
+    def max_distance(self) -> float:
+        """
+        largest distance between end and start, both extrapolated to the middle of the gap [object sizes]
+        """
+    @property
+    def max_distance_growth(self) -> float:
+        """
+        what each second of the gap adds to max_distance [object sizes/s]
+        """
+    @property
+    def max_gap_s(self) -> float:
+        """
+        longest time between the end of a track and the start of the next; 0: none are joined [s]
+        """
+    @property
+    def max_speed_difference(self) -> float:
+        """
+        largest difference of the velocities before and after the gap [object sizes/s]
+        """
+    @property
+    def min_frames(self) -> int:
+        """
+        a track seen in fewer is dropped [frames]
+        """
+    @property
+    def min_s(self) -> float:
+        """
+        a track that lasts less is dropped [s]
+        """
+    @property
+    def min_travel(self) -> float:
+        """
+        a track that never gets so far from its first place is dropped; 0 where objects may stand [object sizes]
+        """
+
+class Link:
+    """
+    Two tracks that are one, and the numbers that decided it.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def color_difference(self) -> float:
+        """
+        0 to 1.73.
+        """
+    @property
+    def cost(self) -> float:
+        """
+        Mean of the four in parts of their limits, 0 to 1.
+        """
+    @property
+    def distance(self) -> float:
+        """
+        Object sizes, both extrapolated to the middle of the gap.
+        """
+    @property
+    def earlier_id(self) -> int: ...
+    @property
+    def gap_s(self) -> float:
+        """
+        From the last point of the one to the first of the other.
+        """
+    @property
+    def later_id(self) -> int: ...
+    @property
+    def speed_difference(self) -> float:
+        """
+        Object sizes per second.
+        """
+
+class DroppedTrack:
+    """
+    A track that is too short, after joining.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def duration_s(self) -> float: ...
+    @property
+    def frames(self) -> int:
+        """
+        In which it has a point.
+        """
+    @property
+    def id(self) -> int: ...
+    @property
+    def travel(self) -> float:
+        """
+        Object sizes; largest distance from its first place.
+        """
+
+class Linked:
+    """
+    What is left of a history, and why.
+    """
+    @property
+    def dropped(self) -> list[DroppedTrack]:
+        """
+        By id.
+        """
+    @property
+    def history(self) -> History:
+        """
+        By id.
+        """
+    @property
+    def links(self) -> list[Link]:
+        """
+        In order of the earlier one's start; ids are those of the given tracks.
         """
 
 def assign_hungarian(
@@ -2038,6 +2750,12 @@ def find_blobs(
 def iou(a: Box, b: Box) -> float:
     """
     Intersection over union of two boxes, 0 to 1.
+    """
+
+def link_tracks(history: History, options: LinkOptions = ...) -> Linked:
+    """
+    Joins the pieces of broken tracks, then drops tracks that are too short (Narayana 2007, 11.2). A chain of
+    pieces gets the id of its first; its gaps stay gaps. Raises InputError naming track and frame index.
     """
 
 def match_matrix(

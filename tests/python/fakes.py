@@ -40,6 +40,7 @@ class Track:
     position_covariance_px2: np.ndarray = field(default_factory=lambda: np.eye(2))
     age_frames: int = 0
     lost_frames: int = 0
+    mean_color: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     @property
     def position(self) -> tuple[float, float]:
@@ -59,6 +60,26 @@ class Event:
 
 
 @dataclass
+class Detection:
+    box: Box
+
+
+@dataclass
+class Match:
+    track: int
+    detection: int
+    assigned: bool = True
+
+
+@dataclass
+class Grid:
+    cell_px: int
+    relative_size: np.ndarray
+    active: np.ndarray
+    max_factor: float = 5.0
+
+
+@dataclass
 class Result:
     index: int
     time_s: float
@@ -67,6 +88,12 @@ class Result:
     tracks: list[Track] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     background: Image | None = None
+    detections: list[Detection] = field(default_factory=list)
+    matches: list[Match] = field(default_factory=list)
+    costs: np.ndarray | None = None
+    beliefs: np.ndarray | None = None
+    matrix_track_ids: list[int] = field(default_factory=list)
+    vicinity: dict[int, Grid] = field(default_factory=dict)
 
 
 def result_of(frame: Image, index: int = 0, *tracks: Track, **more: Any) -> Result:

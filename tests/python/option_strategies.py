@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import survtrack
 
-HEADING = re.compile(r"^###? `(?:\[(\w+)\]|(\w+)\.model = \"(\w+)\")`$")
+HEADING = re.compile(r"^###? `(?:\[([\w.]+)\]|([\w.]+)\.model = \"(\w+)\")`$")
 ROW = re.compile(r"^\| `([\w.]+)` \| `([^`]*)` \| [^|]* \| ([^|]*) \|")
 RANGE = re.compile(
     r"^(?:(above|at least|between) (\S+?))(?: and (?:at most )?(\S+?))?(, 0 or odd)?$"
@@ -61,10 +61,17 @@ SECTIONS = sections()
 
 
 def parts(section: str) -> Strategy:
-    """A section as a dict: a model, and any of its options."""
+    """A section as a dict: a model, and any of its options, those that are sections among them."""
     models = SECTIONS[section]
+    inner = {
+        name.removeprefix(f"{section}."): parts(name)
+        for name in SECTIONS
+        if name.startswith(f"{section}.")
+    }
     return st.one_of(
-        st.fixed_dictionaries({} if model is None else {"model": st.just(model)}, optional=options)
+        st.fixed_dictionaries(
+            {} if model is None else {"model": st.just(model)}, optional=options | inner
+        )
         for model, options in models.items()
     )
 
@@ -78,13 +85,24 @@ def options_found() -> Iterator[tuple[str, str | None, str]]:
 
 def sections_agree(config: survtrack.Config) -> bool:
     """Whether the rules between sections allow this config: the only ones beyond the bounds."""
-    return config.cost.model != "gaussian" or config.filter.model != "mean_velocity"
+    has_grid = config.vicinity.model == "grid"
+    scaled = config.blobs.merge.model == "close" and config.blobs.merge.vicinity_scaled
+    return (config.cost.model != "gaussian" or config.filter.model != "mean_velocity") and (
+        has_grid or not (scaled or config.outputs.vicinity)
+    )
 
 
 def configs() -> st.SearchStrategy[survtrack.Config]:
     """Any config that a pipeline takes."""
-    chosen = st.fixed_dictionaries({name: parts(name) for name in SECTIONS})
+    chosen = st.fixed_dictionaries({name: parts(name) for name in SECTIONS if "." not in name})
     time_unit_s = st.floats(1e-6, 3600)
     return st.builds(
         lambda unit, options: survtrack.Config(time_unit_s=unit, **options), time_unit_s, chosen
     ).filter(sections_agree)
+
+
+def with_cells_in(frame: tuple[int, ...], config: survtrack.Config) -> survtrack.Config:
+    """The config with a vicinity grid that a frame of this height and width has room for."""
+    if config.vicinity.model == "grid":
+        config.set(f"vicinity.cell_px={min(config.vicinity.cell_px, *frame[:2])}")
+    return config

@@ -24,16 +24,30 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.MeanVelocityOptions,
     ),
     "measurement": (survtrack.BoxCenterOptions, survtrack.CentroidOptions),
-    "cost": (survtrack.GaussianCostOptions, survtrack.MatchMatrixOptions),
+    "cost": (
+        survtrack.GaussianCostOptions,
+        survtrack.MatchMatrixOptions,
+        survtrack.BeliefOptions,
+    ),
     "assignment": (survtrack.HungarianOptions, survtrack.OldestFirstOptions),
     "lifecycle": (survtrack.ConfirmAndLoseOptions, survtrack.LostCountOptions),
+    "vicinity": (survtrack.NoVicinityOptions, survtrack.GridVicinityOptions),
 }
+MERGES: tuple[type[Any], ...] = (
+    survtrack.FragmentMergeOptions,
+    survtrack.CloseMergeOptions,
+    survtrack.NoMergeOptions,
+)
 PARTS: dict[str, type[Any]] = {
     "cleanup": survtrack.CleanupOptions,
     "blobs": survtrack.BlobOptions,
     "outputs": survtrack.OutputOptions,
 }
-CLASSES: list[type[Any]] = [*(one for models in MODELS.values() for one in models), *PARTS.values()]
+CLASSES: list[type[Any]] = [
+    *(one for models in MODELS.values() for one in models),
+    *MERGES,
+    *PARTS.values(),
+]
 
 
 def scene(count: int = 40) -> list[Image]:

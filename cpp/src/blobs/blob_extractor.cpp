@@ -36,10 +36,7 @@ void BlobExtractor::extract(const cv::Mat& mask, const cv::Mat& frame, const Exp
   measure_parts(runs_, labeller_.count(), parts_);
   const double frame_area_px = static_cast<double>(mask.rows) * mask.cols;
   const double min_area_px = std::max(options_.min_area_px, options_.min_area_fraction * frame_area_px);
-  if (options_.merge_fragments) {
-    drop_below(options_.min_fragment_fraction * frame_area_px);
-    merger_.merge(options_, expectation, runs_, parts_);
-  }
+  merge(frame, expectation, min_area_px);
   if (options_.share_blobs) sharer_.share(options_, expectation, min_area_px, runs_, parts_);
   drop_unexpected(expectation, min_area_px, mask.size());
   drop_beyond_count();
@@ -55,6 +52,16 @@ void BlobExtractor::extract(const cv::Mat& mask, const cv::Mat& frame, const Exp
   }
   detections.contours.clear();
   if (contours) find_contours(detections.items, detections.contours);
+}
+
+void BlobExtractor::merge(const cv::Mat& frame, const Expectation& expectation, double min_area_px) {
+  if (const auto* fragments = std::get_if<FragmentMergeOptions>(&options_.merge)) {
+    drop_below(fragments->min_fragment_fraction * static_cast<double>(frame.total()));
+    fragments_.merge(*fragments, expectation, runs_, parts_);
+  } else if (const auto* close = std::get_if<CloseMergeOptions>(&options_.merge)) {
+    drop_below(min_area_px);  // noise would be a bridge
+    close_.merge(*close, expectation, frame, runs_, parts_);
+  }
 }
 
 void BlobExtractor::drop_below(double area_px) {

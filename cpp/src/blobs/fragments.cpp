@@ -29,7 +29,7 @@ std::optional<double> expected_height(const Box& box, const Expectation& expecta
   return height;
 }
 
-bool belong_together(const BlobPart& a, const BlobPart& b, const BlobOptions& options, const Expectation& expectation) {
+bool belong_together(const BlobPart& a, const BlobPart& b, const FragmentMergeOptions& options, const Expectation& expectation) {
   const double overlap = std::min(a.right, b.right) - std::max(a.left, b.left);
   if (overlap <= min_overlap * std::min(a.right - a.left, b.right - b.left)) return false;
   BlobPart joint = a;
@@ -38,12 +38,12 @@ bool belong_together(const BlobPart& a, const BlobPart& b, const BlobOptions& op
   const std::optional<double> height = expected_height(box, expectation);
   const double gap = std::max(a.top, b.top) - std::min(a.bottom, b.bottom);
   const double reference = height.value_or(std::max(a.bottom - a.top, b.bottom - b.top));
-  return gap < options.merge_gap * reference && (!height || box.height < height_tolerance * *height);
+  return gap < options.gap * reference && (!height || box.height < height_tolerance * *height);
 }
 
 }  // namespace
 
-void FragmentMerger::merge(const BlobOptions& options, const Expectation& expectation, std::vector<Run>& runs,
+void FragmentMerger::merge(const FragmentMergeOptions& options, const Expectation& expectation, std::vector<Run>& runs,
                            std::vector<BlobPart>& parts) {
   open_.clear();
   target_.resize(parts.size());

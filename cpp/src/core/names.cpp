@@ -12,6 +12,8 @@ const char* to_string(EventKind kind) {
     case EventKind::track_lost: return "track_lost";
     case EventKind::track_recovered: return "track_recovered";
     case EventKind::track_ended: return "track_ended";
+    case EventKind::converged: return "converged";
+    case EventKind::anomalous_speed: return "anomalous_speed";
     case EventKind::scene_changed: return "scene_changed";
   }
   return "";

@@ -12,8 +12,14 @@ namespace {
 
 using options_json::Json;
 
-void update(Config& config, const Json& object) {
+/// A `base` puts a preset under the options that stand beside it.
+void update(Config& config, Json object) {
   Config changed = config;
+  if (const auto base = object.find("base"); object.is_object() && base != object.end()) {
+    if (!base->is_string()) options_json::refuse("base", *base, "one of: " + options_json::quoted_choices(preset_names()));
+    changed = preset(base->get<std::string>());
+    object.erase("base");
+  }
   options_json::assign_struct(changed, object, "");
   check_fields(changed);
   config = changed;
@@ -91,6 +97,16 @@ const Config& Config::check() const {
   if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
     throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
                       "expected cost.model match_matrix, or filter.model kalman_cv or kalman_ca");
+  }
+  const auto* close = std::get_if<CloseMergeOptions>(&blobs.merge);
+  const bool has_grid = std::holds_alternative<GridVicinityOptions>(vicinity);
+  if (close != nullptr && close->vicinity_scaled && !has_grid) {
+    throw ConfigError("blobs.merge.vicinity_scaled: true needs a vicinity grid, and vicinity.model is \"none\"; "
+                      "expected vicinity.model grid, or false");
+  }
+  if (outputs.vicinity && !has_grid) {
+    throw ConfigError("outputs.vicinity: true needs a vicinity grid, and vicinity.model is \"none\"; "
+                      "expected vicinity.model grid, or false");
   }
   return *this;
 }

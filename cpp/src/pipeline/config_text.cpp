@@ -89,6 +89,23 @@ void write_models(std::ostream& out, const std::string& path, std::index_sequenc
   (write(std::variant_alternative_t<I, Variant>{}), ...);
 }
 
+template <class Struct>
+void write_sections(std::ostream& out, const std::string& path) {
+  for_each_field<Struct>([&](const auto& f) {
+    using Value = typename std::decay_t<decltype(f)>::value_type;
+    if constexpr (is_table<Value>) {
+      const std::string inner = join_path(path, f.name);
+      out << "\n## `[" << inner << "]`\n\n" << f.meaning << ".\n";
+      if constexpr (is_variant<Value>::value) {
+        write_models<Value>(out, inner, std::make_index_sequence<std::variant_size_v<Value>>{});
+      } else {
+        write_rows<Value>(out, inner);
+        write_sections<Value>(out, inner);
+      }
+    }
+  });
+}
+
 }  // namespace
 
 std::string Config::to_toml() const {
@@ -102,17 +119,7 @@ std::string options_reference() {
   out << "# Options\n\nEvery option of a config, made from the library itself. The first model of each section is the "
          "default.\n\n## Config\n";
   write_rows<Config>(out, "");
-  for_each_field<Config>([&](const auto& f) {
-    using Value = typename std::decay_t<decltype(f)>::value_type;
-    if constexpr (is_table<Value>) {
-      out << "\n## `[" << f.name << "]`\n\n" << f.meaning << ".\n";
-      if constexpr (is_variant<Value>::value) {
-        write_models<Value>(out, f.name, std::make_index_sequence<std::variant_size_v<Value>>{});
-      } else {
-        write_rows<Value>(out, f.name);
-      }
-    }
-  });
+  write_sections<Config>(out, "");
   return out.str();
 }
 

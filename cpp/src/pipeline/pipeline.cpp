@@ -12,6 +12,7 @@ Pipeline::Pipeline(const Config& config) : config_(config), detector_(config), t
 Pipeline Pipeline::from_preset(const std::string& name) { return Pipeline(preset(name)); }
 
 bool Pipeline::process(const cv::Mat& image, double time_s, FrameResult& result, std::optional<std::int64_t> index) {
+  if (image.cols > 0 && image.rows > 0) tracker_.check_frame_size(image.cols, image.rows);
   if (!detector_.push(image, time_s, index)) return false;
   step(result);
   return true;

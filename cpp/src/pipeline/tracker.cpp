@@ -29,9 +29,14 @@ Event event_of(EventKind kind, const Track& track, const Detections& now) {
     case EventKind::track_started: event.text = name + " started"; break;
     case EventKind::track_lost: event.text = name + " was lost"; break;
     case EventKind::track_recovered: event.text = name + " was found again"; break;
+    case EventKind::anomalous_speed: event.text = name + " moves unlike others there"; break;
     default: event.text = name + " ended"; break;
   }
   return event;
+}
+
+bool contains(const std::vector<std::int64_t>& ids, std::int64_t id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 }  // namespace
@@ -40,7 +45,9 @@ Tracker::Tracker(const Config& config)
     : outputs_(config.check().outputs),
       table_(config.filter, config.measurement, config.time_unit_s),
       matcher_(config.cost, config.assignment),
-      lifecycle_(make_lifecycle(config.lifecycle)) {}
+      lifecycle_(make_lifecycle(config.lifecycle)) {
+  if (const auto* grid = std::get_if<GridVicinityOptions>(&config.vicinity)) vicinity_.emplace(*grid);
+}
 
 const Expectation& Tracker::predict(double time_s) {
   check_time(time_s, last_time_s_);
@@ -48,7 +55,12 @@ const Expectation& Tracker::predict(double time_s) {
   predicted_ = true;
   table_.predict(time_s);
   expectation_.time_s = time_s;
-  expectation_.scale = table_.scale();
+  expectation_.scale = table_.scale().scale();
+  if (vicinity_ && !vicinity_->learned().empty()) {
+    // Blobs have no class.
+    const auto found = vicinity_->learned().find(-1);
+    if (found != vicinity_->learned().end()) expectation_.vicinity = found->second.grid;
+  }
   expectation_.tracks.resize(static_cast<std::size_t>(table_.size()));
   for (int i = 0; i < table_.size(); ++i) {
     const OpenTrack& row = table_.row(i);
@@ -64,7 +76,19 @@ const Expectation& Tracker::predict(double time_s) {
   return expectation_;
 }
 
+void Tracker::check_frame_size(int width, int height) const {
+  if (vicinity_) vicinity_->check(width, height);
+  if (matcher_.belief()) matcher_.belief()->check(width, height);
+  const cv::Size size(width, height);
+  if (frame_size_ && size != *frame_size_ && size.area() > 0 && (vicinity_ || scene_loaded_)) {
+    throw InputError("frame: is " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                     " px, and the scene was learned on frames of " + std::to_string(frame_size_->width) + "x" +
+                     std::to_string(frame_size_->height) + " px; expected the same size");
+  }
+}
+
 void Tracker::check(const Detections& detections) const {
+  check_frame_size(detections.frame_width, detections.frame_height);
   if (outputs_.cost_matrix && static_cast<std::size_t>(table_.size()) * detections.items.size() > most_costs) {
     throw InputError("outputs.cost_matrix: " + std::to_string(table_.size()) + " tracks by " +
                      std::to_string(detections.items.size()) + " detections are too many; expected at most a million entries");
@@ -75,8 +99,11 @@ void Tracker::check(const Detections& detections) const {
     const bool finite = std::isfinite(b.x) && std::isfinite(b.y) && std::isfinite(b.width) && std::isfinite(b.height) &&
                         std::isfinite(d.position.x) && std::isfinite(d.position.y);
     const Color& color = d.mean_color;
-    if (!std::isfinite(color.blue) || !std::isfinite(color.green) || !std::isfinite(color.red)) {
-      throw InputError("detections[" + std::to_string(i) + "].mean_color: is not finite; expected 0 to 255 a channel");
+    const auto is_level = [](double level) { return level >= 0.0 && level <= 255.0; };
+    if (!is_level(color.blue) || !is_level(color.green) || !is_level(color.red)) {
+      throw InputError("detections[" + std::to_string(i) + "].mean_color: (" + std::to_string(color.blue) + ", " +
+                       std::to_string(color.green) + ", " + std::to_string(color.red) +
+                       ") is not allowed; expected 0 to 255 a channel");
     }
     const double smallest = 1e-3, limit = 1e9;
     if (finite && b.width >= smallest && b.height >= smallest && std::abs(b.x) < limit && std::abs(b.y) < limit &&
@@ -96,6 +123,7 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
                      " is not the time given to predict() before; expected one update after each predict");
   }
   predicted_ = false;
+  if (detections.frame_width > 0 && detections.frame_height > 0) frame_size_ = cv::Size(detections.frame_width, detections.frame_height);
   matcher_.match(table_, detections, result.matches);
   was_lost_.assign(static_cast<std::size_t>(table_.size()), 0);
   for (int i = 0; i < table_.size(); ++i) {
@@ -109,7 +137,11 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
   }
   believed_before_.assign(static_cast<std::size_t>(table_.size()), 0);
   for (int i = 0; i < table_.size(); ++i) believed_before_[static_cast<std::size_t>(i)] = table_.row(i).believed();
+  if (matcher_.belief()) convergence_.update(table_, matcher_.belief()->beliefs(), result.matches);
+  result.matrix_track_ids.clear();
+  for (int i = 0; i < table_.size(); ++i) result.matrix_track_ids.push_back(table_.row(i).track.id);
   lifecycle_->update(table_, detections, result.matches);
+  if (vicinity_) vicinity_->update(table_, detections);
   report(detections, result);
   table_.remove_closed();
 }
@@ -131,10 +163,37 @@ void Tracker::report(const Detections& detections, TrackingResult& result) {
     if (!old) raise(EventKind::track_started);
     if (lost_before && track.status == TrackStatus::confirmed) raise(EventKind::track_recovered);
     if (old && !lost_before && track.lost_frames > 0) raise(EventKind::track_lost);
+    if (vicinity_ && contains(vicinity_->anomalous(), track.id)) raise(EventKind::anomalous_speed);
     if (track.status == TrackStatus::closed) raise(EventKind::track_ended);
   }
+  raise_met(detections, result);
   std::sort(result.tracks.begin(), result.tracks.end(), [](const Track& a, const Track& b) { return a.id < b.id; });
-  if (outputs_.cost_matrix) result.costs = matcher_.costs();
+  if (outputs_.cost_matrix) {
+    result.costs = matcher_.costs();
+    if (matcher_.belief()) result.beliefs = matcher_.belief()->beliefs();
+  }
+  if (outputs_.vicinity) {
+    result.vicinity.clear();
+    for (const auto& [class_id, learned] : vicinity_->learned()) result.vicinity[class_id] = learned.grid;
+  }
+}
+
+void Tracker::raise_met(const Detections& detections, TrackingResult& result) const {
+  for (const Convergence& met : convergence_.met()) {
+    Event event;
+    event.kind = EventKind::converged;
+    event.index = detections.index;
+    event.time_s = detections.time_s;
+    event.track_id = met.track_ids.front();
+    event.other_track_ids.assign(met.track_ids.begin() + 1, met.track_ids.end());
+    const Detection& blob = detections.items[static_cast<std::size_t>(met.detection)];
+    event.position = blob.position;
+    event.box = blob.box;
+    event.text = "tracks " + std::to_string(event.track_id);
+    for (const std::int64_t id : event.other_track_ids) event.text += " and " + std::to_string(id);
+    event.text += " met in one blob";
+    result.events.push_back(event);
+  }
 }
 
 TrackingResult Tracker::process(const Detections& detections) {
@@ -147,7 +206,12 @@ TrackingResult Tracker::process(const Detections& detections) {
 
 void Tracker::reset() {
   table_.clear();
+  if (matcher_.belief()) matcher_.belief()->clear();
+  if (vicinity_) vicinity_->clear();
+  convergence_.clear();
   expectation_ = {};
+  frame_size_.reset();
+  scene_loaded_ = false;
   last_time_s_.reset();
   predicted_ = false;
 }

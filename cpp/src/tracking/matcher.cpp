@@ -7,6 +7,7 @@
 
 #include "survtrack/association/assign.hpp"
 #include "survtrack/association/costs.hpp"
+#include "survtrack/association/velocity_factor.hpp"
 
 namespace survtrack {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 struct FillCosts {
   const TrackTable& table;
   const Detections& detections;
+  std::optional<BeliefCost>& belief;
   CostMatrix& costs;
 
   void operator()(const GaussianCostOptions& o) const {
@@ -35,22 +37,36 @@ struct FillCosts {
     const double width = detections.frame_width > 0 ? detections.frame_width : 1.0;
     const double height = detections.frame_height > 0 ? detections.frame_height : 1.0;
     for (int r = 0; r < costs.rows(); ++r) {
+      const TrackTable::Motion motion = table.motion(r);
       for (int c = 0; c < costs.columns(); ++c) {
+        const Detection& detection = detections.items[static_cast<std::size_t>(c)];
         const double cost =
-            match_matrix_entry(table.row(r).track, detections.items[static_cast<std::size_t>(c)], width, height);
+            match_matrix_entry(table.row(r).track, detection, width, height) * factor(o, motion, table.measured(detection));
         costs(r, c) = o.max_match > 0.0 && cost > o.max_match ? CostMatrix::gated : cost;
       }
     }
+  }
+
+  void operator()(const BeliefOptions&) const { belief->fill(table, detections, costs); }
+
+  static double factor(const MatchMatrixOptions& o, const TrackTable::Motion& motion, const Point& position) {
+    if (o.velocity_break_point <= 0.0) return 1.0;
+    const std::optional<double> difference = motion.difference(position);
+    return difference ? velocity_factor(*difference, o.velocity_break_point) : 1.0;
   }
 };
 
 }  // namespace
 
+Matcher::Matcher(const CostOptions& cost, const AssignmentOptions& assignment) : cost_(cost), assignment_(assignment) {
+  if (const auto* belief = std::get_if<BeliefOptions>(&cost)) belief_.emplace(*belief);
+}
+
 void Matcher::match(const TrackTable& table, const Detections& detections, Matches& matches) {
   const int rows = table.size();
   const auto columns = static_cast<int>(detections.items.size());
   costs_.resize(rows, columns);
-  std::visit(FillCosts{table, detections, costs_}, cost_);
+  std::visit(FillCosts{table, detections, belief_, costs_}, cost_);
   assign_rows(table, matches.detection_of_track);
   matches.track_of_detection.assign(static_cast<std::size_t>(columns), -1);
   matches.candidates.clear();
@@ -62,6 +78,7 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
       matches.candidates.push_back({r, c, table.row(r).track.id, costs_(r, c), c == chosen});
     }
   }
+  if (belief_) belief_->learn(table, detections);
 }
 
 void Matcher::assign_rows(const TrackTable& table, Assignment& assignment) {

@@ -23,31 +23,38 @@ constexpr double smallest_height = 0.02;   // of the frame's height
 
 void ScaleLearner::add(const Box& box, double frame_height) {
   double weight = 1.0;
-  if (samples_ > samples_before_outliers) {
+  if (state_.samples > samples_before_outliers) {
     const double error = std::abs(std::log(box.height / scale_.height_px(box.bottom())));
-    spread_ += spread_gain * (std::min(error, 1.0) - spread_);
+    state_.spread += spread_gain * (std::min(error, 1.0) - state_.spread);
     if (error > outlier) weight = outlier_weight;
   }
   const double s = box.bottom() / frame_height - 0.5;
   const auto add_to = [&](double& sum, double value) { sum = forgetting * sum + weight * value; };
-  add_to(sum_1_, 1.0);
-  add_to(sum_s_, s);
-  add_to(sum_ss_, s * s);
-  add_to(sum_h_, box.height);
-  add_to(sum_sh_, s * box.height);
-  ++samples_;
-  solve(frame_height);
+  add_to(state_.sum_1, 1.0);
+  add_to(state_.sum_s, s);
+  add_to(state_.sum_ss, s * s);
+  add_to(state_.sum_h, box.height);
+  add_to(state_.sum_sh, s * box.height);
+  ++state_.samples;
+  state_.frame_height = frame_height;
+  solve();
 }
 
-void ScaleLearner::solve(double frame_height) {
-  const double ss = sum_ss_ + ridge * sum_1_;
-  const double determinant = sum_1_ * ss - sum_s_ * sum_s_;
-  const double a = (ss * sum_h_ - sum_s_ * sum_sh_) / determinant;
-  const double b = (sum_1_ * sum_sh_ - sum_s_ * sum_h_) / determinant;
-  scale_.height_per_row = b / frame_height;
+void ScaleLearner::restore(const State& state) {
+  state_ = state;
+  scale_ = {};
+  if (state.samples > 0) solve();
+}
+
+void ScaleLearner::solve() {
+  const double ss = state_.sum_ss + ridge * state_.sum_1;
+  const double determinant = state_.sum_1 * ss - state_.sum_s * state_.sum_s;
+  const double a = (ss * state_.sum_h - state_.sum_s * state_.sum_sh) / determinant;
+  const double b = (state_.sum_1 * state_.sum_sh - state_.sum_s * state_.sum_h) / determinant;
+  scale_.height_per_row = b / state_.frame_height;
   scale_.height_at_top_px = a - 0.5 * b;
-  scale_.min_height_px = smallest_height * frame_height;
-  scale_.known = samples_ > samples_before_use && spread_ < known_spread;
+  scale_.min_height_px = smallest_height * state_.frame_height;
+  scale_.known = state_.samples > samples_before_use && state_.spread < known_spread;
 }
 
 }  // namespace survtrack

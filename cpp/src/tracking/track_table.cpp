@@ -52,10 +52,19 @@ Observation TrackTable::observe(int i, const Detection& detection) const {
   return survtrack::observe(measurement_, row(i), predicted_position(i), detection);
 }
 
+TrackTable::Motion TrackTable::motion(int i) const {
+  const Track& track = row(i).track;
+  const double elapsed_s = time_s_ - track.end_time_s;
+  if (track.matched_frames < 2 || elapsed_s <= 0.0) return {};
+  return {true, row(i).seen_position, time_unit_s_ * track.velocity_px_per_s, time_unit_s_ / elapsed_s};
+}
+
 void TrackTable::match(int i, int detection, const Detections& detections) {
   OpenTrack& row = rows_[static_cast<std::size_t>(i)];
   const Detection& seen = detections.items[static_cast<std::size_t>(detection)];
   const Observation observation = observe(i, seen);
+  row.step_px = observation.position - row.seen_position;
+  row.step_s = detections.time_s - row.track.end_time_s;
   filters_->correct(i, observation.position, observation.extra_px2);
   learn_size(measurement_, row, seen, dt_s_);
   filters_->set_object_size(i, row.size_px());

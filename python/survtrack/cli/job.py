@@ -19,7 +19,7 @@ from survtrack.sinks.folder import CONFIG, MANIFEST
 from survtrack.sources import Prefetch, Source, open_source
 
 if TYPE_CHECKING:
-    from survtrack._core import Config
+    from survtrack._core import Config, Pipeline
 
 INTERRUPTED = 130
 
@@ -41,6 +41,7 @@ class Request:
     out: Path
     as_json: bool
     quiet: bool
+    scene: Path | None = None
 
 
 def resolve_config(request: Request) -> "Config":
@@ -52,22 +53,26 @@ def resolve_config(request: Request) -> "Config":
     """
     config = survtrack.preset(request.preset)
     if request.config is not None:
-        try:
-            text = request.config.read_text(encoding="utf-8")
-        except OSError as error:
-            raise InputError(f"{request.config}: {error.strerror}") from error
-        except UnicodeDecodeError as error:
-            raise InputError(f"{request.config}: is not UTF-8 text") from error
-        config.update_from_toml(text, str(request.config))
+        config.update_from_toml(read_text(request.config), str(request.config))
     for assignment in request.assignments:
         config.set(assignment)
     return config
 
 
+def read_text(path: Path) -> str:
+    """The text of a file; raises InputError that names it."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: is not UTF-8 text") from error
+
+
 def execute(
     request: Request,
     config: "Config",
-    make_sinks: Callable[[RunFolder, Source], list[Sink]],
+    make_sinks: Callable[[RunFolder, Source, "Pipeline"], list[Sink]],
 ) -> int:
     """Run it all and print the summary; returns the exit code of an interrupted run, else 0.
 
@@ -76,6 +81,8 @@ def execute(
             run.json there says that it is not complete.
     """
     pipeline = survtrack.Pipeline(config)
+    if request.scene is not None:
+        pipeline.load_learned_scene(read_text(request.scene), str(request.scene))
     source = open_source(
         request.source,
         fps=request.fps,
@@ -86,7 +93,7 @@ def execute(
     )
     refuse_endless_delay(source, pipeline)
     folder = RunFolder(request.out)
-    sinks = make_sinks(folder, source)
+    sinks = make_sinks(folder, source, pipeline)
     total = source.selection.expected_count(source.frame_count_declared)
     with (
         Prefetch(source) as frames,
@@ -116,6 +123,7 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "preset": request.preset,
         "config": None if request.config is None else str(request.config),
         "set": list(request.assignments),
+        "scene": None if request.scene is None else str(request.scene),
         "complete": summary.complete,
         "error": None if summary.error is None else one_line(summary.error),
         "frames": {

@@ -66,11 +66,11 @@ JsonOption = Annotated[
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no summary.")]
 
 
-def parse_size(text: str | None) -> tuple[int, int] | None:
-    """(width, height) of "640x480"; raises UsageError for anything else."""
+def parse_size(text: str | None, option: str = "--resize") -> tuple[int, int] | None:
+    """(width, height) of "640x480"; raises UsageError that names the option for anything else."""
     if text is None:
         return None
     match = re.fullmatch(r"([1-9][0-9]{0,4})x([1-9][0-9]{0,4})", text)
     if match is None:
-        raise UsageError(f"--resize {text}: width x height in pixels expected, such as 640x480")
+        raise UsageError(f"{option} {text}: width x height in pixels expected, such as 640x480")
     return int(match[1]), int(match[2])

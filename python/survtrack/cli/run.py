@@ -2,16 +2,29 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command `survtrack run`."""
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from survtrack.cli import options
 from survtrack.cli.job import Request, execute, resolve_config
-from survtrack.drawing import VIEW_NAMES, Views
+from survtrack.drawing import VIEW_NAMES, VIEW_OUTPUTS, Views
 from survtrack.errors import UsageError
-from survtrack.sinks import AnnotatedVideo, EventLines, MotText, RunFolder, Sink, TracksCsv
+from survtrack.sinks import (
+    AnnotatedVideo,
+    EventLines,
+    LearnedScene,
+    MatrixLines,
+    MotText,
+    RunFolder,
+    Sink,
+    TracksCsv,
+)
 from survtrack.sources import Source
+
+if TYPE_CHECKING:
+    from survtrack._core import Pipeline
 
 VideoOption = Annotated[bool, typer.Option("--video", help="Also write annotated.mp4.")]
 ViewsOption = Annotated[
@@ -21,6 +34,21 @@ ViewsOption = Annotated[
         metavar="A,B",
         help=f"What annotated.mp4 shows, side by side: of {', '.join(VIEW_NAMES)}. "
         "Without it: tracks.",
+    ),
+]
+
+SceneOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--scene",
+        metavar="FILE",
+        help="Start from what an earlier run learned of this scene: its scene.json.",
+    ),
+]
+MatrixOption = Annotated[
+    bool,
+    typer.Option(
+        "--matrix", help="Also write matrices.jsonl: each frame's costs, or beliefs, by name."
     ),
 ]
 
@@ -38,30 +66,37 @@ def run(
     resize: options.ResizeOption = None,
     video: VideoOption = False,
     views: ViewsOption = None,
+    matrix: MatrixOption = False,
+    scene: SceneOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> int:
     """Track what moves in SOURCE.
 
-    Writes DIR/tracks.txt (MOT), events.jsonl, tracks.csv, config.toml and run.json. Each is
-    NAME.part until it is whole; Ctrl-C finishes them.
+    Writes DIR/tracks.txt (MOT), events.jsonl, tracks.csv, scene.json, config.toml and run.json.
+    Each is NAME.part until it is whole; Ctrl-C finishes them.
     """
     request = Request(
         "run", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet,
+        options.parse_size(resize), out, as_json, quiet, scene,
     )  # fmt: skip
     names = _view_names(video, views)
     resolved = resolve_config(request)
-    if "background" in names:
-        resolved.set("outputs.background=true")
+    for output in {VIEW_OUTPUTS[name] for name in names if name in VIEW_OUTPUTS}:
+        resolved.set(f"outputs.{output}=true")
+    if matrix:
+        resolved.set("outputs.cost_matrix=true")
 
-    def make_sinks(folder: RunFolder, source: Source) -> list[Sink]:
+    def make_sinks(folder: RunFolder, source: Source, pipeline: "Pipeline") -> list[Sink]:
         path = folder.path
         sinks: list[Sink] = [
             MotText(path / "tracks.txt"),
             EventLines(path / "events.jsonl"),
             TracksCsv(path / "tracks.csv", source.file_name),
+            LearnedScene(path / "scene.json", pipeline),
         ]
+        if matrix:
+            sinks.append(MatrixLines(path / "matrices.jsonl"))
         if video:
             rate = source.fps / source.selection.step
             sinks.append(AnnotatedVideo(path / "annotated.mp4", Views(names), fps=rate))

@@ -2,10 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command `survtrack segment`."""
 
+from typing import TYPE_CHECKING
+
 from survtrack.cli import options
 from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.sinks import MaskFolder, RunFolder, Sink
 from survtrack.sources import Source
+
+if TYPE_CHECKING:
+    from survtrack._core import Pipeline
 
 
 def segment(
@@ -33,7 +38,7 @@ def segment(
         options.parse_size(resize), out, as_json, quiet,
     )  # fmt: skip
 
-    def make_sinks(folder: RunFolder, source: Source) -> list[Sink]:
+    def make_sinks(folder: RunFolder, source: Source, pipeline: "Pipeline") -> list[Sink]:
         folder.refuse_foreign_masks()
         return [MaskFolder(folder.path, source.file_name)]
 

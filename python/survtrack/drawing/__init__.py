@@ -2,19 +2,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Pictures of results. Every renderer has `annotate(scene, result) -> scene`."""
 
+from survtrack.drawing.blobs import BlobRenderer
 from survtrack.drawing.boxes import BoxRenderer
 from survtrack.drawing.colors import Color, color_of_id
+from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.scene import Renderer, as_scene
 from survtrack.drawing.sheet import contact_sheet
 from survtrack.drawing.trails import TrailRenderer
-from survtrack.drawing.views import VIEW_NAMES, Views
+from survtrack.drawing.vicinity import VicinityRenderer
+from survtrack.drawing.views import VIEW_NAMES, VIEW_OUTPUTS, Views
 
 __all__ = [
     "VIEW_NAMES",
+    "VIEW_OUTPUTS",
+    "BlobRenderer",
     "BoxRenderer",
     "Color",
+    "MatrixRenderer",
     "Renderer",
     "TrailRenderer",
+    "VicinityRenderer",
     "Views",
     "as_scene",
     "color_of_id",

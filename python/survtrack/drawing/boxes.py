@@ -27,7 +27,7 @@ class BoxRenderer:
             _draw_box(scene, track.box, color_of_id(track.id), lost=_is_lost(track))
         for track in reported:
             text = f"{track.id}?" if _is_lost(track) else f"{track.id}"
-            draw_label(scene, text, _corners(track.box, scene)[0], color_of_id(track.id))
+            draw_label(scene, text, corners(track.box, scene)[0], color_of_id(track.id))
         return scene
 
 
@@ -35,7 +35,7 @@ def _is_lost(track: "Track") -> bool:
     return bool(track.status.name == "lost")
 
 
-def _corners(box: "Box", scene: Scene) -> tuple[Point, Point]:
+def corners(box: "Box", scene: Scene) -> tuple[Point, Point]:
     """Upper left and lower right pixel of the box."""
     height, width = scene.shape[:2]
     ends = np.nan_to_num((box.x, box.y, box.x + box.width, box.y + box.height))
@@ -47,7 +47,7 @@ def _corners(box: "Box", scene: Scene) -> tuple[Point, Point]:
 def _draw_box(scene: Scene, box: "Box", color: Color, *, lost: bool) -> None:
     import cv2
 
-    (left, top), (right, bottom) = _corners(box, scene)
+    (left, top), (right, bottom) = corners(box, scene)
     if not lost:
         cv2.rectangle(scene, (left, top), (right, bottom), color, Style.of(scene).line)
         return

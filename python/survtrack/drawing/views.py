@@ -1,27 +1,32 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""What a result looks like: the frame, the mask, the background, the tracks."""
+"""What a result looks like: the frame, the mask, the tracks, what they were decided by."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from survtrack.drawing.blobs import BlobRenderer
 from survtrack.drawing.boxes import BoxRenderer
 from survtrack.drawing.colors import BLACK
+from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.scene import Renderer, Scene, as_scene, draw_label
 from survtrack.drawing.sheet import grid
 from survtrack.drawing.trails import TrailRenderer
+from survtrack.drawing.vicinity import VicinityRenderer
 from survtrack.errors import UsageError
 
 if TYPE_CHECKING:
     from survtrack._core import FrameResult
 
-VIEW_NAMES = ("frame", "mask", "background", "tracks")
+VIEW_NAMES = ("frame", "mask", "background", "blobs", "tracks", "matrix", "vicinity")
+# The extra outputs that some views show.
+VIEW_OUTPUTS = {"background": "background", "matrix": "cost_matrix", "vicinity": "vicinity"}
 
 
 class Views:
     """One picture of one or more views, each with a caption when there are several.
 
-    Up to three stand side by side, four two by two. Trails have a memory, so that one Views
+    Up to three stand side by side, more in two columns. Trails have a memory, so that one Views
     belongs to one run, in the order of its frames.
     """
 
@@ -38,7 +43,12 @@ class Views:
         if not names or len(set(names)) < len(names):
             raise UsageError(f"views: {list(names)} is not allowed; each once, at least one")
         self._names = tuple(names)
-        self._renderers: tuple[Renderer, ...] = (TrailRenderer(), BoxRenderer())
+        self._renderers: dict[str, tuple[Renderer, ...]] = {
+            "blobs": (BlobRenderer(),),
+            "tracks": (TrailRenderer(), BoxRenderer()),
+            "matrix": (MatrixRenderer(),),
+            "vicinity": (VicinityRenderer(),),
+        }
 
     def __call__(self, frame: Scene, result: "FrameResult") -> Scene:
         """The picture for one result, HxWx3 BGR.
@@ -47,7 +57,7 @@ class Views:
             frame: the result's frame, HxW or HxWx3.
 
         Raises:
-            UsageError: the background is to be shown and the result has none.
+            UsageError: a view shows what the result does not have; see VIEW_OUTPUTS.
         """
         when = f"frame {result.index + 1}, {result.time_s:.2f} s"
         pictures = [self._view(name, frame, result) for name in self._names]
@@ -68,7 +78,6 @@ class Views:
                 )
             return as_scene(result.background)
         scene = as_scene(frame)
-        if name == "tracks":
-            for renderer in self._renderers:
-                scene = renderer.annotate(scene, result)
+        for renderer in self._renderers.get(name, ()):
+            scene = renderer.annotate(scene, result)
         return scene

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The judge: scores tracks and foreground masks against ground truth.
 
-evaluate_tracks gives HOTA, CLEAR MOT and identity scores, equal to TrackEval; evaluate_masks
-gives CDnet's. Importing this package loads neither scipy nor cv2; scoring does.
+evaluate_tracks gives HOTA, CLEAR MOT and identity scores, equal to TrackEval, and the counts of
+Narayana 2007; evaluate_masks gives CDnet's. Importing this package loads neither scipy nor cv2;
+scoring does.
 """
 
 from survtrack.evaluation.boxes import Boxes

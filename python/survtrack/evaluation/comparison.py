@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Truth and outputs laid side by side, frame by frame: what every tracking score starts from."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -59,15 +60,11 @@ def compare(
             of the frame's outputs with all boxes of the truth, is removed. This is the
             preprocessing of MOTChallenge (Milan et al., "MOT16", arXiv:1603.00831, section 4.1).
     """
-    truth_numbers, truth_rows = _rows_by_frame(truth.frames - offset, frames)
-    track_numbers, track_rows = _rows_by_frame(tracks.frames, frames)
     kept_truth: list[NDArray[np.intp]] = []
     kept_tracks: list[NDArray[np.intp]] = []
     overlaps: list[NDArray[np.float64]] = []
     removed = 0
-    for number in np.union1d(truth_numbers, track_numbers):
-        here = truth_rows[_span(truth_numbers, number)]
-        there = track_rows[_span(track_numbers, number)]
+    for here, there in rows_side_by_side(truth, tracks, frames=frames, offset=offset):
         overlap = iou_matrix(truth.boxes[here], tracks.boxes[there])
         ignore = truth.ignore[here]
         counts = _not_matched_to_ignored(overlap, ignore, iou)
@@ -87,6 +84,23 @@ def compare(
         output_boxes=sum(map(len, kept_tracks)),
         ignored_outputs=removed,
     )
+
+
+def rows_side_by_side(
+    truth: Boxes, tracks: Boxes, *, frames: range, offset: int = 0
+) -> Iterator[tuple[NDArray[np.intp], NDArray[np.intp]]]:
+    """The rows of truth and of tracks in every frame that counts and has any, in order.
+
+    Args:
+        truth: the boxes that are right.
+        tracks: the boxes to judge.
+        frames: which frames count, in the numbering of the tracks.
+        offset: frame f of the tracks is frame f + offset of the truth.
+    """
+    truth_numbers, truth_rows = _rows_by_frame(truth.frames - offset, frames)
+    track_numbers, track_rows = _rows_by_frame(tracks.frames, frames)
+    for number in np.union1d(truth_numbers, track_numbers):
+        yield truth_rows[_span(truth_numbers, number)], track_rows[_span(track_numbers, number)]
 
 
 def _rows_by_frame(

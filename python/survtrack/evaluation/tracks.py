@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""The judge of tracks: HOTA, CLEAR MOT and identity scores in one call."""
+"""The judge of tracks: HOTA, CLEAR MOT, identity scores and counts of errors in one call."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -12,6 +12,7 @@ from survtrack.errors import InputError, UsageError
 from survtrack.evaluation.boxes import MAX_INTEGER, Boxes
 from survtrack.evaluation.clear import Clear, clear_scores
 from survtrack.evaluation.comparison import compare
+from survtrack.evaluation.counts import count_errors
 from survtrack.evaluation.files import StrPath
 from survtrack.evaluation.footage import RUN_FILE, given_range, processed_frames
 from survtrack.evaluation.hota import Hota, hota_scores
@@ -28,7 +29,7 @@ def _percent(key: str, meaning: str) -> Any:
 class TrackScores:
     """Scores of tracks against truth. Those named as in papers are percentages, 0 to 100.
 
-    (MOTA can be negative.) Formulas and sources: modules hota, clear and identity.
+    (MOTA can be negative.) Formulas and sources: modules hota, clear, identity and counts.
     """
 
     hota: float = _percent("HOTA", "higher order tracking accuracy")
@@ -52,6 +53,9 @@ class TrackScores:
     mostly_tracked: int = score("objects matched in more than 80 % of their frames")
     partly_tracked: int = score("objects in between")
     mostly_lost: int = score("objects matched in less than 20 % of their frames")
+    number_of_blobs_errors: int = score("outputs on an object beyond one, or none")
+    index_errors: int = score("truth boxes found without the object's best number")
+    swap_errors: int = score("changes of the number that stands for an object")
     truth_boxes: int = score("boxes to find")
     truth_ids: int = score("objects to find")
     output_boxes: int = score("boxes that are scored")
@@ -76,11 +80,12 @@ def evaluate_tracks(
     offset: int = 0,
     iou: float = 0.5,
 ) -> TrackScores:
-    """Score tracks against truth; equal to TrackEval.
+    """Score tracks against truth; equal to TrackEval in every score that it has too.
 
     Args:
         truth: a file of MOT text or CVML, or boxes. Boxes marked `ignore` (CVML: inactive) are
-            don't-care: outputs matched to them, at the same `iou`, are removed first.
+            don't-care: outputs matched to them, at the same `iou`, are removed first; the counts
+            of number-of-blobs, index and swap errors go by coverage instead (module counts).
         tracks: a file of MOT text, or boxes.
         frames: the first and last frame to score, in the tracks' numbering from 1. None: the
             frames that a `run.json` beside the tracks' file lists as processed; without one, all
@@ -133,6 +138,7 @@ def _scores(truth: Boxes, tracks: Boxes, frames: range, offset: int, iou: float)
         **_percentages(hota_scores(comparison)),
         **_percentages(clear_scores(comparison, iou)),
         **_percentages(identity_scores(comparison, iou)),
+        **vars(count_errors(truth, tracks, frames=frames, offset=offset)),
         truth_boxes=comparison.truth_boxes,
         truth_ids=comparison.truth_ids,
         output_boxes=comparison.output_boxes,

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""Where results go: MOT text, CSV, events, masks, annotated video.
+"""Where results go: MOT text, CSV, events, matrices, masks, annotated video.
 
 A sink is a context manager with `write(frame, result)`. See Sink for the whole contract.
 """
@@ -9,14 +9,18 @@ from survtrack.sinks.base import Sink
 from survtrack.sinks.events import EventLines
 from survtrack.sinks.folder import RunFolder
 from survtrack.sinks.masks import MaskFolder
+from survtrack.sinks.matrix import MatrixLines
 from survtrack.sinks.mot import MotText
+from survtrack.sinks.scene import LearnedScene
 from survtrack.sinks.tracks_csv import TracksCsv
 from survtrack.sinks.video import AnnotatedVideo
 
 __all__ = [
     "AnnotatedVideo",
     "EventLines",
+    "LearnedScene",
     "MaskFolder",
+    "MatrixLines",
     "MotText",
     "RunFolder",
     "Sink",

@@ -15,7 +15,16 @@ MANIFEST = "run.json"
 CONFIG = "config.toml"
 # What a run may leave besides config.toml and run.json, which every run writes; nothing else is
 # ever removed from a folder.
-OUTPUTS = ("tracks.txt", "events.jsonl", "tracks.csv", "annotated.mp4", MASK_GLOB)
+OUTPUTS = (
+    "tracks.txt",
+    "events.jsonl",
+    "tracks.csv",
+    "matrices.jsonl",
+    "scene.json",
+    "link.jsonl",
+    "annotated.mp4",
+    MASK_GLOB,
+)
 
 
 class RunFolder:

@@ -32,13 +32,17 @@ COLUMNS = (
     "covariance_yy_px2",
     "age_frames",
     "lost_frames",
+    "mean_blue",
+    "mean_green",
+    "mean_red",
 )
 
 
 class TracksCsv(TextSink):
     """One row a reported track and frame; the columns are COLUMNS.
 
-    frame counts from 1 as in tracks.txt; file is the image's name, empty for a video.
+    frame counts from 1 as in tracks.txt; file is the image's name, empty for a video; the mean
+    colour, 0 to 255 a channel, is that of the detection last matched.
     """
 
     header = ",".join(COLUMNS) + "\n"
@@ -69,7 +73,9 @@ def _measures(track: "Track") -> list[object]:
         *track.velocity_px_per_s,
         *(covariance[0, 0], covariance[0, 1], covariance[1, 1]),
     )
-    return [*(f"{number:.3f}" for number in numbers), track.age_frames, track.lost_frames]
+    color = [f"{channel:.3f}" for channel in track.mean_color]
+    ages = [track.age_frames, track.lost_frames]
+    return [*(f"{number:.3f}" for number in numbers), *ages, *color]
 
 
 def _row(values: list[object]) -> str:

@@ -16,7 +16,7 @@ namespace {
 
 /// Components as they are: nothing is joined or divided.
 BlobOptions plain(double min_area_px) {
-  return {.min_area_px = min_area_px, .min_area_fraction = 0.0, .merge_fragments = false, .share_blobs = false};
+  return {.min_area_px = min_area_px, .min_area_fraction = 0.0, .merge = NoMergeOptions{}, .share_blobs = false};
 }
 
 Detections extracted(const cv::Mat& mask, const cv::Mat& frame, double min_area_px, bool contours = false) {

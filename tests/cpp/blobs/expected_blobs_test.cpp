@@ -83,7 +83,7 @@ TEST_F(ExpectedBlobs, TheScenesScaleLimitsWhereNoTrackIsExpected) {
 TEST_F(ExpectedBlobs, JoiningIsAnOption) {
   fill(50, 20, 10, 20);
   fill(52, 44, 8, 16);
-  options_.merge_fragments = false;
+  options_.merge = NoMergeOptions{};
   EXPECT_EQ(extract().size(), 2u);
 }
 

@@ -37,7 +37,9 @@ TEST(ConfigText, EveryOptionRoundTripsWithAnotherValue) {
         if (config.to_json() == before) config.set(option.path + "=false");
         break;
       case OptionType::integer: config.set(option.path + (option.bounds.odd_or_zero ? "=13" : "=37")); break;
-      case OptionType::number: config.set(option.path + "=0.12345678901234567"); break;
+      case OptionType::number:
+        config.set(option.path + (option.bounds.low < 1.0 ? "=0.12345678901234567" : "=1.2345678901234567"));
+        break;
       case OptionType::choice:
         for (const std::string& choice : option.choices) {
           if (config.to_json() == before) config.set(option.path + "=" + choice);

@@ -59,9 +59,17 @@ class Fingerprint {
     add("\nassigned");
     for (const int d : r.matches.detection_of_track) add(d);
     for (const int t : r.matches.track_of_detection) add(t);
-    add("\ncosts", r.costs.rows(), r.costs.columns());
-    for (int i = 0; i < r.costs.rows(); ++i) {
-      for (int j = 0; j < r.costs.columns(); ++j) add(r.costs(i, j));
+    add("\ncosts", r.costs.rows(), r.costs.columns(), "beliefs", r.beliefs.rows(), r.beliefs.columns());
+    for (const CostMatrix* matrix : {&r.costs, &r.beliefs}) {
+      for (int i = 0; i < matrix->rows(); ++i) {
+        for (int j = 0; j < matrix->columns(); ++j) add((*matrix)(i, j));
+      }
+    }
+    add("\nrows");
+    for (const auto id : r.matrix_track_ids) add(id);
+    for (const auto& [class_id, grid] : r.vicinity) {
+      add("\ngrid", class_id, grid.rows, grid.columns);
+      for (const VicinityCell& c : grid.cells) add(c.factor_y, c.factor_x, c.updates, c.mean_step_px, c.step_variance_px2);
     }
     return *this;
   }

@@ -69,6 +69,20 @@ std::vector<std::string> models(const std::string& path, std::index_sequence<I..
   return {path + ".model=" + std::variant_alternative_t<I, Variant>::model...};
 }
 
+template <class Struct>
+void add_all_models(const std::string& path, std::vector<std::string>& all) {
+  for_each_field<Struct>([&](const auto& f) {
+    using Value = typename std::decay_t<decltype(f)>::value_type;
+    const std::string inner = join_path(path, f.name);
+    if constexpr (is_variant<Value>::value) {
+      const auto some = models<Value>(inner, std::make_index_sequence<std::variant_size_v<Value>>{});
+      all.insert(all.end(), some.begin(), some.end());
+    } else if constexpr (has_fields<Value>::value) {
+      add_all_models<Value>(inner, all);
+    }
+  });
+}
+
 }  // namespace option_list
 
 /// Every option of a config, those of every model among them.
@@ -81,13 +95,7 @@ inline std::vector<ListedOption> all_options() {
 /// Every choice of a model, as `Config::set` takes it.
 inline std::vector<std::string> all_models() {
   std::vector<std::string> all;
-  for_each_field<Config>([&](const auto& f) {
-    using Value = typename std::decay_t<decltype(f)>::value_type;
-    if constexpr (is_variant<Value>::value) {
-      const auto some = option_list::models<Value>(f.name, std::make_index_sequence<std::variant_size_v<Value>>{});
-      all.insert(all.end(), some.begin(), some.end());
-    }
-  });
+  option_list::add_all_models<Config>("", all);
   return all;
 }
 

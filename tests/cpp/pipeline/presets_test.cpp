@@ -38,6 +38,35 @@ TEST(Presets, UnknownNamesAreRefusedWithTheChoices) {
   }
 }
 
+TEST(Presets, ABaseIsAPresetUnderTheOptionsBesideIt) {
+  const Config config = Config::from_toml("base = \"narayana2007\"\n[lifecycle]\nlost_after_frames = 9\n");
+  EXPECT_EQ(std::get<LostCountOptions>(config.lifecycle).lost_after_frames, 9);
+  EXPECT_TRUE(std::holds_alternative<BeliefOptions>(config.cost));
+  Config expected = preset("narayana2007");
+  expected.set("lifecycle.lost_after_frames=9");
+  EXPECT_TRUE(config == expected);
+  EXPECT_TRUE(Config::from_json(R"({"base": "narayana2007", "lifecycle": {"lost_after_frames": 9}})") == expected);
+}
+
+TEST(Presets, AnUnknownBaseIsRefusedByName) {
+  EXPECT_TRUE(contains(message_of<ConfigError>([] { Config::from_toml("base = \"narayana\"\n", "yard.toml"); }),
+                       "yard.toml: ", "unknown \"narayana\"; one of: survtrack, narayana2007"));
+  EXPECT_TRUE(contains(message_of<ConfigError>([] { Config::from_toml("base = 2007\n", "yard.toml"); }),
+                       "yard.toml: base: 2007 is not allowed; expected one of: "));
+}
+
+TEST(Presets, TheThreeOfNarayana2007DifferInTheirFormulas) {
+  const Config whole = preset("narayana2007");
+  const Config euclidean = preset("narayana2007_euclidean");
+  const Config published = preset("narayana2007_published");
+  EXPECT_EQ(std::get<BeliefOptions>(whole.cost).order, BeliefOrder::free);
+  EXPECT_GT(std::get<BeliefOptions>(whole.cost).learn_after, 0);
+  EXPECT_GT(std::get<MatchMatrixOptions>(euclidean.cost).velocity_break_point, 0.0);
+  EXPECT_EQ(std::get<BeliefOptions>(published.cost).order, BeliefOrder::published);
+  EXPECT_EQ(std::get<BeliefOptions>(published.cost).learn_after, 0);
+  EXPECT_EQ(std::get<GridVicinityOptions>(published.vicinity).form, VicinityForm::published_constant);
+}
+
 TEST(Presets, Narayana2007IsWhatThePaperPrints) {
   const Config config = preset("narayana2007");
   const auto& segmenter = std::get<MovingAverageOptions>(config.segmenter);
@@ -46,13 +75,21 @@ TEST(Presets, Narayana2007IsWhatThePaperPrints) {
   EXPECT_EQ(segmenter.threshold, 10.0);
   EXPECT_TRUE(segmenter.secondary_background);
   EXPECT_EQ(segmenter.secondary_threshold, 15.0);
-  EXPECT_FALSE(config.blobs.merge_fragments);
+  EXPECT_TRUE(std::get<CloseMergeOptions>(config.blobs.merge).vicinity_scaled);
+  EXPECT_EQ(std::get<CloseMergeOptions>(config.blobs.merge).threshold_y_px, 5.0);
+  const auto& vicinity = std::get<GridVicinityOptions>(config.vicinity);
+  EXPECT_EQ(vicinity.form, VicinityForm::settling);
+  EXPECT_EQ(vicinity.cell_px, 30);
+  EXPECT_EQ(vicinity.max_factor, 5.0);
+  EXPECT_EQ(vicinity.learning_rate, 0.1);
   EXPECT_FALSE(config.blobs.share_blobs);
   EXPECT_EQ(config.blobs.min_relative_height, 0.0);  // no blob is dropped for what tracks have learned
   EXPECT_EQ(std::get<MeanVelocityOptions>(config.filter).window_steps, 5);
   EXPECT_FALSE(std::get<MeanVelocityOptions>(config.filter).extrapolate_lost);
   EXPECT_TRUE(std::holds_alternative<CentroidOptions>(config.measurement));
-  EXPECT_EQ(std::get<MatchMatrixOptions>(config.cost).max_match, 0.0);
+  EXPECT_EQ(std::get<BeliefOptions>(config.cost).color_weight, 150.0);
+  EXPECT_EQ(std::get<BeliefOptions>(config.cost).position_weight, 150.0);
+  EXPECT_EQ(std::get<MatchMatrixOptions>(preset("narayana2007_euclidean").cost).max_match, 0.0);
   EXPECT_TRUE(std::holds_alternative<OldestFirstOptions>(config.assignment));
   EXPECT_EQ(std::get<LostCountOptions>(config.lifecycle).lost_after_frames, 5);
   EXPECT_EQ(Pipeline(config).delay_frames(), 75);

@@ -63,9 +63,7 @@ inline Config scene_config() {
   config.cleanup = {.median_px = 3, .open_px = 0, .close_px = 0};
   config.blobs = {.min_area_px = 30.0,
                   .min_area_fraction = 0.0,
-                  .merge_fragments = true,
-                  .min_fragment_fraction = 0.0,
-                  .merge_gap = 0.2,
+                  .merge = FragmentMergeOptions{.min_fragment_fraction = 0.0, .gap = 0.2},
                   .share_blobs = true,
                   .share_cover = 0.5,
                   .share_lost_s = 1.0,

@@ -37,14 +37,20 @@ class BoxRun {
       : tracker_(config), period_s_(frame_period_s), width_(frame_width), height_(frame_height) {}
 
   const TrackingResult& frame(const std::vector<Box>& boxes) {
+    return see(detections_of(boxes, 0.0, 0).items);
+  }
+  /// The same for detections that have more than a box.
+  const TrackingResult& see(const std::vector<Detection>& items) {
     const auto index = next_++;
-    result_ = tracker_.process(
-        detections_of(boxes, period_s_ * static_cast<double>(index), index, width_, height_));
+    Detections detections = detections_of({}, period_s_ * static_cast<double>(index), index, width_, height_);
+    detections.items = items;
+    result_ = tracker_.process(detections);
     return result_;
   }
   /// Frames that never came.
   void skip(int frames = 1) { next_ += frames; }
   const TrackingResult& result() const { return result_; }
+  Tracker& tracker() { return tracker_; }
 
  private:
   Tracker tracker_;

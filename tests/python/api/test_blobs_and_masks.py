@@ -10,11 +10,16 @@ import pytest
 
 import survtrack
 from clips import Image
-from survtrack import BlobOptions, CleanupOptions, InputError, clean_mask, find_blobs
-
-ALL_BLOBS = BlobOptions(
-    min_area_fraction=0, min_fragment_fraction=0, merge_fragments=False, max_blobs=100000
+from survtrack import (
+    BlobOptions,
+    CleanupOptions,
+    InputError,
+    NoMergeOptions,
+    clean_mask,
+    find_blobs,
 )
+
+ALL_BLOBS = BlobOptions(min_area_fraction=0, merge=NoMergeOptions(), max_blobs=100000)
 SIZES = [(1, 1), (1, 70), (70, 1), (2, 2), (7, 64), (33, 65), (64, 128), (97, 131)]
 SHARES = [0.02, 0.3, 0.6, 0.97]
 
@@ -62,7 +67,7 @@ def test_small_blobs_are_dropped() -> None:
     mask = np.zeros((100, 100), np.uint8)
     for k in range(6):
         mask[10 : 10 + k + 1, 15 * k : 15 * k + 2] = 255  # 2, 4, ... 12 px
-    area = {"merge_fragments": False, "min_fragment_fraction": 0}
+    area = {"merge": NoMergeOptions()}
     by_px = find_blobs(mask, options=BlobOptions(min_area_px=6, min_area_fraction=0, **area))
     by_part = find_blobs(mask, options=BlobOptions(min_area_fraction=8e-4, **area))
     both = find_blobs(mask, options=BlobOptions(min_area_px=6, min_area_fraction=8e-4, **area))

@@ -14,6 +14,13 @@ from scenes import CLASSES, MODELS, PARTS
 from survtrack import ConfigError
 
 WITH_CONFIG = [*CLASSES, survtrack.Config]
+OTHER_CHOICES = {
+    "object_size": "px",
+    "centred": "causal",
+    "free": "published",
+    "bgr": "lab",
+    "settling": "published_mean",
+}
 
 
 def values_of(options: Any) -> dict[str, Any]:
@@ -26,7 +33,9 @@ def another(value: Any) -> Any:
     if isinstance(value, bool):
         return not value
     if isinstance(value, str):
-        return {"object_size": "px", "centred": "causal"}[value]
+        return OTHER_CHOICES[value]
+    if isinstance(value, dict):
+        return survtrack.NoMergeOptions()
     if isinstance(value, int):
         return 3 if value != 3 else 5
     return value / 2 if value else 1.0

@@ -14,8 +14,8 @@ from hypothesis.extra import numpy as arrays
 
 import survtrack
 from clips import Image
-from option_strategies import SECTIONS, configs, options_found
-from scenes import CLASSES, MODELS, answer, rows
+from option_strategies import SECTIONS, configs, options_found, with_cells_in
+from scenes import CLASSES, MERGES, MODELS, answer, rows
 from survtrack import Config, Detections, InputError, Pipeline, Tracker
 
 settings.register_profile("survtrack", deadline=None, derandomize=True, max_examples=200)
@@ -72,19 +72,24 @@ def test_every_option_is_varied() -> None:
         section = (
             named[0]
             if named
+            else "blobs.merge"
+            if options_class in MERGES
             else {"C": "cleanup", "B": "blobs", "O": "outputs"}[options_class.__name__[0]]
         )
         expected = {
-            (section, model, option) for option in options_class().to_dict() if option != "model"
+            (section, model, option)
+            for option, value in options_class().to_dict().items()
+            if option != "model" and not isinstance(value, dict)
         }
         assert expected <= found
         found -= expected
     assert found == set()
-    assert set(SECTIONS) == {*Config().to_dict()} - {"time_unit_s"}
+    assert set(SECTIONS) == {*Config().to_dict(), "blobs.merge"} - {"time_unit_s"}
 
 
 @given(configs(), clips(), st.data())
 def test_any_config_takes_any_frames(config: Config, frames: list[Image], data: Any) -> None:
+    config = with_cells_in(frames[0].shape, config)
     pipeline, again = Pipeline(config), Pipeline(config)
     time_s, results, others = 0.0, [], []
     for frame in frames:
@@ -158,7 +163,7 @@ BOXES = arrays.arrays(
 
 @given(st.lists(BOXES, min_size=1, max_size=12), configs(), st.data())
 def test_any_boxes_are_tracked(boxes: list[np.ndarray], config: Config, data: Any) -> None:
-    tracker, time_s = Tracker(config), 0.0
+    tracker, time_s = Tracker(with_cells_in((48, 64), config)), 0.0
     for k, array in enumerate(boxes):
         time_s += data.draw(STEPS_S)
         result = tracker.process(Detections(array, time_s, index=k, frame_size=(64, 48)))

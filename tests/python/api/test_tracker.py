@@ -46,7 +46,9 @@ def test_boxes_become_tracks(preset: str) -> None:
 def test_arrays_and_detections_are_the_same(preset: str) -> None:
     config = survtrack.preset(preset)
     config.set("filter.model=kalman_cv")
-    config.set("cost.model=gaussian")  # the match matrix looks at the frame's size
+    config.set("cost.model=gaussian")  # the others look at the frame's size
+    config.set("blobs.merge.model=none")
+    config.set("vicinity.model=none")
     by_array, by_detections, by_steps = Tracker(config), Tracker(config), Tracker(config)
     for k in range(30):
         one = by_array.process(np.array(walk(k), np.float32), k / 10)
@@ -112,7 +114,7 @@ def test_a_bad_box_is_named_and_keeps_the_state(bad: list[float], preset: str) -
     for k, expected in enumerate(followed(preset, 20)):
         if k == 10:
             with pytest.raises(InputError, match=r"^detections\[1\]\.box: .* expected finite left"):
-                tracker.process([BOX, bad], 1.0)
+                tracker.process(Detections([BOX, bad], 1.0, frame_size=(320, 240)))
         detections = Detections(walk(k), k / 10, index=k, frame_size=(320, 240))
         assert rows(tracker.process(detections).track_array) == rows(expected.track_array)
 
@@ -129,14 +131,14 @@ def test_a_bad_time_is_named_and_keeps_the_state(time_s: float) -> None:
 
 def test_update_follows_predict_of_the_same_time() -> None:
     tracker = Tracker(survtrack.preset("narayana2007"))
-    here = Detections([BOX], 1.0)
+    here = Detections([BOX], 1.0, frame_size=(320, 240))
     with pytest.raises(
         InputError, match=r"^detections\.time_s: 1\.0+ is not the time given to pre"
     ):
         tracker.update(here)
     tracker.predict(1.0)
     with pytest.raises(InputError, match=r"^detections\.time_s: 1\.5"):
-        tracker.update(Detections([BOX], 1.5))
+        tracker.update(Detections([BOX], 1.5, frame_size=(320, 240)))
     assert len(tracker.update(here).tracks) == 1
     with pytest.raises(InputError, match=r"^detections\.time_s: 1\.0"):
         tracker.update(here)
@@ -165,7 +167,9 @@ def test_many_frames_of_nothing(preset: str, nothing: Any) -> None:
     tracker = Tracker(survtrack.preset(preset))
     for k in range(12):
         tracker.process(Detections(walk(k), k / 10, frame_size=(320, 240)))
-    results = [tracker.process(Detections(nothing, 2 + k / 10)) for k in range(300)]
+    results = [
+        tracker.process(Detections(nothing, 2 + k / 10, frame_size=(320, 240))) for k in range(300)
+    ]
     assert len(results[0].tracks) == 2
     assert not results[-1].tracks and not results[-1].tentative
     ended = [e.track_id for r in results for e in r.events if e.kind == EventKind.track_ended]

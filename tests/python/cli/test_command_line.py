@@ -20,7 +20,7 @@ from survtrack.cli.presets import description
 from survtrack.cli.progress import progress_line, show_progress
 from survtrack.errors import UsageError
 
-COMMANDS = ("run", "segment", "evaluate", "evaluate-masks", "presets")
+COMMANDS = ("run", "segment", "link", "evaluate", "evaluate-masks", "presets")
 
 
 @pytest.fixture

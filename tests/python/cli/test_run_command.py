@@ -16,7 +16,7 @@ from clips import cut_short, walking_square, write_images, write_video
 from survtrack.cli.main import main
 
 FRAMES = walking_square(60, width=128, height=96, side=20, still=20)
-OUTPUTS = ["config.toml", "events.jsonl", "run.json", "tracks.csv", "tracks.txt"]
+OUTPUTS = ["config.toml", "events.jsonl", "run.json", "scene.json", "tracks.csv", "tracks.txt"]
 
 
 @pytest.fixture(scope="module")
@@ -49,6 +49,42 @@ def test_leaves_all_files_and_tracks_the_square(clip: Path, tmp_path: Path) -> N
     frame, left, top = int(rows[-1][0]), float(rows[-1][2]), float(rows[-1][3])
     assert left == pytest.approx(4 + 2 * (frame - 1 - 20), abs=4)
     assert top == pytest.approx(32, abs=4)
+
+
+def test_a_run_starts_from_what_an_earlier_one_learned(clip: Path, tmp_path: Path) -> None:
+    grid = ["--preset", "narayana2007", "--set", "segmenter.window=causal"]
+    assert run(clip, *grid, "--out", tmp_path / "one") == 0
+    scene = tmp_path / "one" / "scene.json"
+    learned = json.loads(scene.read_text())["vicinity"]["grids"][0]["updates"]
+    assert learned > 10
+    assert run(clip, *grid, "--scene", scene, "--out", tmp_path / "two") == 0
+    again = json.loads((tmp_path / "two" / "scene.json").read_text())
+    assert again["vicinity"]["grids"][0]["updates"] > learned
+    assert facts_of(tmp_path / "two")["scene"] == str(scene)
+
+
+def test_a_scene_that_does_not_fit_is_refused(
+    clip: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "scene.json"
+    scene.write_text('{"scale": {"samples": -1}}')
+    assert run(clip, "--scene", scene, "--out", tmp_path / "out") == 1
+    assert f"{scene}.scale.samples: is -1" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+    assert run(clip, "--scene", tmp_path / "none.json", "--out", tmp_path / "out") == 1
+    assert "none.json: No such file" in capsys.readouterr().err
+
+
+def test_the_matrix_is_written_and_shown(clip: Path, tmp_path: Path) -> None:
+    options = ["--preset", "narayana2007", "--set", "segmenter.window=causal"]
+    views = "blobs,tracks,matrix,vicinity"
+    assert run(clip, *options, "--out", tmp_path, "--matrix", "--video", "--views", views) == 0
+    lines = [json.loads(line) for line in (tmp_path / "matrices.jsonl").read_text().splitlines()]
+    assert len(lines) == 60
+    busy = next(line for line in lines if line["track_ids"] and len(line["columns"]) > 1)
+    assert busy["columns"][-1] == "lost"
+    assert all(sum(row) == pytest.approx(1, abs=1e-5) for row in busy["values"])
+    assert {"matrices.jsonl", "annotated.mp4"} <= set(facts_of(tmp_path)["outputs"])
 
 
 def test_the_other_files_agree_with_tracks_txt(clip: Path, tmp_path: Path) -> None:

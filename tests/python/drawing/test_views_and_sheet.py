@@ -6,12 +6,22 @@ import numpy as np
 import pytest
 
 from clips import walking_square
-from fakes import Box, Track, result_of
+from fakes import Box, Detection, Grid, Match, Track, result_of
 from survtrack.drawing import VIEW_NAMES, Views, contact_sheet
 from survtrack.errors import UsageError
 
 FRAME = walking_square(3, width=160, height=120, side=30)[2]
-RESULT = result_of(FRAME, 2, Track(1, Box(8, 40, 30, 30)), background=np.full_like(FRAME, 77))
+RESULT = result_of(
+    FRAME,
+    2,
+    Track(1, Box(8, 40, 30, 30)),
+    background=np.full_like(FRAME, 77),
+    detections=[Detection(Box(8, 40, 30, 30))],
+    matches=[Match(0, 0)],
+    costs=np.array([[0.25]]),
+    matrix_track_ids=[1],
+    vicinity={-1: Grid(30, np.full((4, 6), 3.0), np.arange(24).reshape(4, 6) % 2 == 0)},
+)
 # Below the captions, above the bottom edge.
 INSIDE = slice(30, 118)
 
@@ -40,7 +50,9 @@ def test_drawing_leaves_the_frame_and_the_result_alone() -> None:
     assert (RESULT.background == 77).all()
 
 
-@pytest.mark.parametrize(("count", "columns", "rows"), [(1, 1, 1), (2, 2, 1), (3, 3, 1), (4, 2, 2)])
+@pytest.mark.parametrize(
+    ("count", "columns", "rows"), [(1, 1, 1), (2, 2, 1), (3, 3, 1), (4, 2, 2), (7, 2, 4)]
+)
 def test_views_stand_side_by_side(count: int, columns: int, rows: int) -> None:
     names = VIEW_NAMES[:count]
     picture = Views(names)(FRAME, RESULT)
@@ -75,6 +87,10 @@ def test_what_cannot_be_shown_is_named() -> None:
         Views([])
     with pytest.raises(UsageError, match="background cannot be shown"):
         Views(["background"])(FRAME, result_of(FRAME))
+    with pytest.raises(UsageError, match="vicinity: cannot be shown"):
+        Views(["vicinity"])(FRAME, result_of(FRAME))
+    with pytest.raises(UsageError, match=r"matrix: .* outputs.cost_matrix is false"):
+        Views(["matrix"])(FRAME, result_of(FRAME, matrix_track_ids=[1]))
 
 
 def test_a_contact_sheet_has_rows_of_pictures() -> None:

@@ -49,6 +49,8 @@ def test_evaluate_prints_json(truth: Path, tracks: Path) -> None:
     assert scores["DetA"] == pytest.approx(100 * 10 / 19)
     assert scores["MOTA"] == 100 * 7 / 8
     assert (scores["IDF1"], scores["switches"], scores["frames"]) == (50, 1, 8)
+    errors = ("number_of_blobs_errors", "index_errors", "swap_errors", "truth_boxes")
+    assert [scores[name] for name in errors] == [0, 4, 1, 8]
 
 
 def test_evaluate_passes_its_options_on(truth: Path, tracks: Path) -> None:
@@ -64,6 +66,9 @@ def test_evaluate_prints_a_table(truth: Path, tracks: Path) -> None:
     row = {line.split("│")[1].strip(): line.split("│")[2].strip() for line in lines if "│" in line}
     assert (row["HOTA"], row["MOTA"], row["IDF1"]) == ("37.2 %", "87.5 %", "50.0 %")
     assert (row["switches"], row["false positives"]) == ("1", "0")
+    assert (row["number of blobs errors"], row["index errors"], row["swap errors"]) == (
+        ("0", "4", "1")
+    )
 
 
 def test_evaluate_masks_prints_both(tmp_path: Path) -> None:

@@ -22,6 +22,7 @@ def three_results() -> list[Result]:
     seen = Track(7, Box(1.5, 2.25, 10, 20.0004), Status.confirmed, True, (3.0, -4.5), covariance)
     hidden = Track(9, Box(0, 0, 5, 5), Status.tentative, reported=False)
     lost = Track(2, Box(-3, 4, 8, 9), Status.lost, age_frames=6, lost_frames=2)
+    lost.mean_color = (10.0, 20.5, 255.0)
     return [
         result_of(FRAME, 4, seen, hidden),
         result_of(FRAME, 5),
@@ -72,6 +73,8 @@ def test_csv_has_a_row_a_reported_track(tmp_path: Path) -> None:
         "6",
         "2",
     )
+    colors = [(row["mean_blue"], row["mean_green"], row["mean_red"]) for row in rows]
+    assert colors[:2] == [("0.000", "0.000", "0.000"), ("10.000", "20.500", "255.000")]
 
 
 def test_csv_of_a_video_names_no_file(tmp_path: Path) -> None:

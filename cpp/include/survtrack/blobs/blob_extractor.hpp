@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "survtrack/blobs/blob_part.hpp"
+#include "survtrack/blobs/close_blobs.hpp"
 #include "survtrack/blobs/fragments.hpp"
 #include "survtrack/blobs/options.hpp"
 #include "survtrack/blobs/run_labeller.hpp"
@@ -42,6 +43,7 @@ class BlobExtractor {
     int detection = -1;                            ///< its index; -1: dropped
   };
 
+  void merge(const cv::Mat& frame, const Expectation& expectation, double min_area_px);
   void drop_below(double area_px);
   void drop_unexpected(const Expectation& expectation, double min_area_px, const cv::Size& size);
   void drop_beyond_count();
@@ -55,7 +57,8 @@ class BlobExtractor {
   RunLabeller labeller_;
   std::vector<Run> runs_;
   std::vector<BlobPart> parts_;  ///< by label
-  FragmentMerger merger_;
+  FragmentMerger fragments_;
+  CloseMerger close_;
   BlobSharer sharer_;
   std::vector<std::size_t> remaining_;
   std::vector<Sums> sums_;  ///< by label

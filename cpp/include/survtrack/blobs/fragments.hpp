@@ -17,7 +17,7 @@ namespace survtrack {
 class FragmentMerger {
  public:
   /// Runs get the label of the part they end in; the other parts are dropped.
-  void merge(const BlobOptions& options, const Expectation& expectation, std::vector<Run>& runs,
+  void merge(const FragmentMergeOptions& options, const Expectation& expectation, std::vector<Run>& runs,
              std::vector<BlobPart>& parts);
 
  private:

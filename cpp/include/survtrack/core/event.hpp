@@ -17,6 +17,8 @@ enum class EventKind : std::uint8_t {
   track_lost,       ///< a confirmed track found no detection and is predicted from here on
   track_recovered,  ///< a lost track found a detection again
   track_ended,      ///< a confirmed track was closed; its id is never used again
+  converged,        ///< two tracks or more believe to be the same blob (Narayana 2007, 8.1)
+  anomalous_speed,  ///< a track moves unlike those before it in its cell of the vicinity grid (11.3)
   scene_changed,    ///< the whole scene changed (light, camera): the background starts anew
 };
 

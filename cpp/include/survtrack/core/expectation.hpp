@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "survtrack/core/geometry.hpp"
 #include "survtrack/core/scene_scale.hpp"
+#include "survtrack/core/vicinity_grid.hpp"
 
 namespace survtrack {
 
@@ -27,6 +29,7 @@ struct Expectation {
   double time_s = 0.0;                 ///< the coming frame's time
   std::vector<PredictedTrack> tracks;
   SceneScale scale;                    ///< how large objects are, where
+  std::optional<VicinityGrid> vicinity;  ///< how much things move, where; with vicinity.model grid
   std::vector<Box> regions;            ///< where to look; empty: the whole frame
   std::vector<Box> keep;               ///< places that the background must not learn
 };

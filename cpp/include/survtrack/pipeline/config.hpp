@@ -21,13 +21,15 @@ struct OutputOptions {
   bool background = false;
   bool contours = false;
   bool cost_matrix = false;
+  bool vicinity = false;
 
   static constexpr auto fields() {
     using O = OutputOptions;
     return std::make_tuple(
         field("background", &O::background, "", "the background picture of every frame"),
         field("contours", &O::contours, "", "the outer contour of every blob"),
-        field("cost_matrix", &O::cost_matrix, "", "the whole matrix of costs, tracks by detections; at most a million entries"));
+        field("cost_matrix", &O::cost_matrix, "", "the whole matrix of costs, tracks by detections, and that of beliefs; at most a million entries"),
+        field("vicinity", &O::vicinity, "", "the vicinity grids, with vicinity.model grid"));
   }
 };
 
@@ -42,6 +44,7 @@ struct Config {
   CostOptions cost;
   AssignmentOptions assignment;
   LifecycleOptions lifecycle;
+  VicinityOptions vicinity;
   OutputOptions outputs;
 
   static constexpr auto fields() {
@@ -57,10 +60,11 @@ struct Config {
         field("cost", &O::cost, "", "how well a detection fits a track"),
         field("assignment", &O::assignment, "", "who gets which detection"),
         field("lifecycle", &O::lifecycle, "", "when tracks are born, believed, lost and closed"),
+        field("vicinity", &O::vicinity, "", "what the scene teaches about sizes and speeds"),
         field("outputs", &O::outputs, "", "extras of a result that cost something"));
   }
 
-  /// Reads options from TOML on top of the defaults; `source` names the text in errors.
+  /// Reads options from TOML on top of the defaults, or of the preset that its `base` names; `source` names the text in errors.
   /// Throws `ConfigError` with the option's full path, the value and what is allowed.
   static Config from_toml(const std::string& text, const std::string& source = "config");
   static Config from_json(const std::string& text, const std::string& source = "config");

@@ -40,8 +40,14 @@ class Pipeline {
   /// The same one by one, reusing the memory of `result`; false when all is given.
   bool finish(FrameResult& result);
 
-  /// Forgets frames and tracks; the next frame is a first frame and ids start at 1.
+  /// Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.
   void reset();
+
+  /// See Tracker::learned_scene and Tracker::load_learned_scene: a camera starts with what it knows.
+  std::string learned_scene() const { return tracker_.learned_scene(); }
+  void load_learned_scene(const std::string& json, const std::string& source = "scene") {
+    tracker_.load_learned_scene(json, source);
+  }
 
  private:
   void step(FrameResult& result);

@@ -5,20 +5,23 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "survtrack/core/detection.hpp"
 #include "survtrack/core/expectation.hpp"
 #include "survtrack/pipeline/config.hpp"
+#include "survtrack/tracking/convergence.hpp"
 #include "survtrack/tracking/lifecycle.hpp"
 #include "survtrack/tracking/matcher.hpp"
 #include "survtrack/tracking/track_table.hpp"
 #include "survtrack/tracking/tracking_result.hpp"
+#include "survtrack/tracking/vicinity_learner.hpp"
 
 namespace survtrack {
 
 /// The second half: detections in, tracks out. Usable alone, on the boxes of any detector. Options used:
-/// `time_unit_s`, `filter`, `measurement`, `cost`, `assignment`, `lifecycle`, `outputs`.
+/// `time_unit_s`, `filter`, `measurement`, `cost`, `assignment`, `lifecycle`, `vicinity`, `outputs`.
 class Tracker {
  public:
   /// Throws `ConfigError`.
@@ -35,20 +38,35 @@ class Tracker {
   /// Comes once after `predict` for the same time. Throws `InputError` and then keeps its state.
   void update(const Detections& detections, TrackingResult& result);
 
-  /// Forgets all tracks; ids start at 1 again.
+  /// Throws `InputError` for a frame of a size that what is learned of the scene cannot be of; sides of 0 px: unknown.
+  void check_frame_size(int width, int height) const;
+
+  /// Forgets all tracks and all that was learned; ids start at 1 again.
   void reset();
+
+  /// What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
+  std::string learned_scene() const;
+  /// Starts from what an earlier run learned. What this config does not use is left aside. Throws `InputError`,
+  /// naming `source` and the entry, for a text that is no such scene, or whose grid or densities are made otherwise
+  /// than this config says; and then keeps its state.
+  void load_learned_scene(const std::string& json, const std::string& source = "scene");
 
  private:
   void check(const Detections& detections) const;
+  void raise_met(const Detections& detections, TrackingResult& result) const;
   void report(const Detections& detections, TrackingResult& result);
 
   OutputOptions outputs_;
   TrackTable table_;
   Matcher matcher_;
   std::unique_ptr<Lifecycle> lifecycle_;
+  std::optional<VicinityLearner> vicinity_;
+  ConvergenceWatch convergence_;
   Expectation expectation_;
   std::vector<char> believed_before_;  ///< a row, before this frame's decisions
   std::vector<char> was_lost_;         ///< a row, in the frame before
+  std::optional<cv::Size> frame_size_;  ///< of the frames seen, or of the learned scene; none while unknown
+  bool scene_loaded_ = false;
   std::optional<double> last_time_s_;
   bool predicted_ = false;  ///< to `last_time_s_`, and not yet updated
 };

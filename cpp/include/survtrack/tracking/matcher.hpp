@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "survtrack/association/cost_matrix.hpp"
@@ -10,6 +11,7 @@
 #include "survtrack/association/options.hpp"
 #include "survtrack/core/detection.hpp"
 #include "survtrack/core/matches.hpp"
+#include "survtrack/tracking/belief_cost.hpp"
 #include "survtrack/tracking/track_table.hpp"
 
 namespace survtrack {
@@ -17,13 +19,16 @@ namespace survtrack {
 /// Who is who: fills the matrix of costs, tracks by detections, and assigns.
 class Matcher {
  public:
-  Matcher(const CostOptions& cost, const AssignmentOptions& assignment) : cost_(cost), assignment_(assignment) {}
+  Matcher(const CostOptions& cost, const AssignmentOptions& assignment);
 
-  /// Reuses the memory of `matches`.
+  /// Reuses the memory of `matches`. Throws `InputError` for detections that the cost cannot be computed of.
   void match(const TrackTable& table, const Detections& detections, Matches& matches);
 
   /// The matrix of the last `match`.
   const CostMatrix& costs() const { return costs_; }
+  /// The beliefs behind them; empty when costs are no beliefs.
+  std::optional<BeliefCost>& belief() { return belief_; }
+  const std::optional<BeliefCost>& belief() const { return belief_; }
 
  private:
   void assign_rows(const TrackTable& table, Assignment& assignment);
@@ -31,6 +36,7 @@ class Matcher {
   CostOptions cost_;
   AssignmentOptions assignment_;
   CostMatrix costs_;
+  std::optional<BeliefCost> belief_;
   HungarianSolver solver_;
   std::vector<int> rows_;  ///< those of one round
 };

@@ -20,6 +20,8 @@ struct OpenTrack {
   double travelled_px = 0.0;  ///< greatest distance from there
   Box seen;                ///< box of the detection last matched
   Point seen_position;     ///< its measured position
+  Point step_px;           ///< from the measured position before to that
+  double step_s = 0.0;     ///< time between the two; 0 before there are two
 
   bool believed() const { return track.id != 0; }
   double size_px() const;  ///< root of the box area

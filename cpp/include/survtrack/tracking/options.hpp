@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <array>
+#include <utility>
 #include <variant>
 
 #include "survtrack/core/fields.hpp"
@@ -84,5 +86,57 @@ struct LostCountOptions {
 };
 
 using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions>;
+
+
+/// No vicinity factor is learned.
+struct NoVicinityOptions {
+  static constexpr const char* model = "none";
+  static constexpr const char* meaning = "no vicinity factor";
+  static constexpr auto fields() { return std::make_tuple(); }
+};
+
+/// How the factor v of a cell follows a displacement d, px per time unit.
+enum class VicinityForm {
+  settling,            ///< v += rate (target - v), target = clip(v0 |d| / m, 1, largest)
+  published_constant,  ///< v += (|d| - 1) largest rate (Narayana 2007, eq. 6.4)
+  published_mean,      ///< v += (|d| - m) largest rate (the words of 6.2); m: the mean |d| of the whole scene
+};
+constexpr auto enum_names(VicinityForm) {
+  return std::array{std::pair{"settling", VicinityForm::settling},
+                    std::pair{"published_constant", VicinityForm::published_constant},
+                    std::pair{"published_mean", VicinityForm::published_mean}};
+}
+
+/// The vicinity factor (Narayana 2007, 6): a grid over the scene that learns how much things move.
+struct GridVicinityOptions {
+  static constexpr const char* model = "grid";
+  static constexpr const char* meaning = "how much things move in each cell of the scene (Narayana 2007, 6)";
+
+  VicinityForm form = VicinityForm::settling;
+  int cell_px = 30;
+  double max_factor = 5.0;
+  double learning_rate = 0.1;
+  double anomaly_deviations = 4.0;
+  int anomaly_after_updates = 50;
+  int anomaly_frames = 3;
+
+  static constexpr auto fields() {
+    using O = GridVicinityOptions;
+    return std::make_tuple(
+        field("form", &O::form, "", "how the factor follows a displacement"),
+        field("cell_px", &O::cell_px, "px", "side of a cell; no larger than the frame", between(1, 100000)),
+        field("max_factor", &O::max_factor, "", "the largest factor; the smallest is 1, the first (1 + largest) / 2",
+              between(1, 1000)),
+        field("learning_rate", &O::learning_rate, "", "alpha: how fast a factor follows", above_up_to(0, 1)),
+        field("anomaly_deviations", &O::anomaly_deviations, "standard deviations",
+              "a track faster or slower by more than those before it in its cell is anomalous; 0: none is", between(0, 1e6)),
+        field("anomaly_after_updates", &O::anomaly_after_updates, "updates", "a cell that saw fewer calls nothing anomalous",
+              between(2, 1e9)),
+        field("anomaly_frames", &O::anomaly_frames, "frames", "so many in a row raise the event anomalous_speed",
+              between(1, 1e6)));
+  }
+};
+
+using VicinityOptions = std::variant<NoVicinityOptions, GridVicinityOptions>;
 
 }  // namespace survtrack

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "survtrack/core/detection.hpp"
@@ -23,7 +25,9 @@ class TrackTable {
 
   int size() const { return static_cast<int>(rows_.size()); }
   const OpenTrack& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
-  const SceneScale& scale() const { return scale_.scale(); }
+  const ScaleLearner& scale() const { return scale_; }
+  void restore(const ScaleLearner::State& scale) { scale_.restore(scale); }
+  double time_unit_s() const { return time_unit_s_; }
 
   /// Where row `i` is expected to be measured, after `predict`.
   Point predicted_position(int i) const { return filters_->predicted_position(i); }
@@ -32,6 +36,24 @@ class TrackTable {
     return filters_->innovation_covariance_px2(i, extra_px2);
   }
   Observation observe(int i, const Detection& detection) const;
+  /// What a detection that is not shared measures, whichever the row.
+  Point measured(const Detection& detection) const { return measured_position(measurement_, detection); }
+  /// A row's velocity, to be compared with those that measurements would imply (Narayana 2007, 4.2).
+  struct Motion {
+    bool known = false;
+    Point from;               ///< last measured position, px
+    Point velocity;           ///< px per time unit
+    double per_elapsed = 0.0;  ///< 1 / time units since then
+
+    /// Length of the difference when the row is measured at `position` now, px per time unit; nothing for a track
+    /// that has no velocity yet.
+    std::optional<double> difference(const Point& position) const {
+      if (!known) return std::nullopt;
+      const Point d = per_elapsed * (position - from) - velocity;
+      return std::sqrt(d.x * d.x + d.y * d.y);
+    }
+  };
+  Motion motion(int i) const;
 
   /// Moves all filters on to the time of the coming frame.
   void predict(double time_s);

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "survtrack/association/cost_matrix.hpp"
 #include "survtrack/core/event.hpp"
 #include "survtrack/core/matches.hpp"
 #include "survtrack/core/track.hpp"
+#include "survtrack/core/vicinity_grid.hpp"
 
 namespace survtrack {
 
@@ -22,6 +24,9 @@ struct TrackingResult {
   Matches matches;             ///< its rows are those of the tracks open before this frame
   std::vector<Event> events;   ///< the detector's, then the tracker's
   CostMatrix costs;            ///< the whole matrix, when asked for
+  CostMatrix beliefs;          ///< the same as probabilities, with a last column for "lost"; with cost.model belief
+  std::vector<std::int64_t> matrix_track_ids;  ///< the rows of both; 0: tentative
+  std::map<int, VicinityGrid> vicinity;        ///< by class of detections (-1: none), when asked for
 };
 
 }  // namespace survtrack

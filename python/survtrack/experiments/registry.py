@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""The experiments there are, by name."""
+
+from collections.abc import Callable
+
+from survtrack.errors import UsageError
+from survtrack.experiments.experiment import Experiment
+from survtrack.experiments.narayana2007 import Narayana2007
+
+EXPERIMENTS: dict[str, Callable[[], Experiment]] = {"narayana2007": Narayana2007}
+
+
+def make_experiment(name: str) -> Experiment:
+    """A fresh experiment; raises UsageError that names those there are for any other name."""
+    if name not in EXPERIMENTS:
+        raise UsageError(f"unknown experiment {name!r}; one of: {', '.join(sorted(EXPERIMENTS))}")
+    return EXPERIMENTS[name]()
