@@ -38,6 +38,7 @@ void bind_config(py::module_& module);
 void bind_values(py::module_& module);
 void bind_results(py::module_& module);
 void bind_segmentation(py::module_& module);
+void bind_tiling(py::module_& module);
 void bind_filtering(py::module_& module);
 void bind_association(py::module_& module);
 void bind_pipeline(py::module_& module);

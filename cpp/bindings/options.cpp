@@ -12,7 +12,11 @@ void bind_options(py::module_& module) {
   bind_model_options<MovingAverageOptions>(module, "MovingAverageOptions");
   bind_model_options<Mog2Options>(module, "Mog2Options");
   bind_model_options<KnnOptions>(module, "KnnOptions");
-  bind_frozen_options<CleanupOptions>(module, "CleanupOptions", "Noise removal on the mask: median, opening, closing");
+  bind_model_options<NoTilingOptions>(module, "NoTilingOptions");
+  bind_model_options<WholeFrameOptions>(module, "WholeFrameOptions");
+  bind_model_options<QuadrantsOptions>(module, "QuadrantsOptions");
+  bind_frozen_options<CleanupOptions>(module, "CleanupOptions",
+                                      "Noise removal on the mask: temporal median, median, opening, closing, tiles");
   bind_model_options<FragmentMergeOptions>(module, "FragmentMergeOptions");
   bind_model_options<CloseMergeOptions>(module, "CloseMergeOptions");
   bind_model_options<NoMergeOptions>(module, "NoMergeOptions");
@@ -25,10 +29,13 @@ void bind_options(py::module_& module) {
   bind_model_options<GaussianCostOptions>(module, "GaussianCostOptions");
   bind_model_options<MatchMatrixOptions>(module, "MatchMatrixOptions");
   bind_model_options<BeliefOptions>(module, "BeliefOptions");
+  bind_model_options<DistanceOptions>(module, "DistanceOptions");
   bind_model_options<HungarianOptions>(module, "HungarianOptions");
   bind_model_options<OldestFirstOptions>(module, "OldestFirstOptions");
+  bind_model_options<RowOrderOptions>(module, "RowOrderOptions");
   bind_model_options<ConfirmAndLoseOptions>(module, "ConfirmAndLoseOptions");
   bind_model_options<LostCountOptions>(module, "LostCountOptions");
+  bind_model_options<CountMedianOptions>(module, "CountMedianOptions");
   bind_model_options<NoVicinityOptions>(module, "NoVicinityOptions");
   bind_model_options<GridVicinityOptions>(module, "GridVicinityOptions");
   bind_frozen_options<OutputOptions>(module, "OutputOptions", "Extras of a result that cost something");

@@ -165,9 +165,8 @@ void bind_detections(py::module_& module) {
                              "All detections as one structured array.");
 }
 
-/// None for a matrix without rows and columns.
-py::typing::Optional<py::array_t<double>> array_of_matrix(const CostMatrix& matrix) {
-  if (matrix.rows() == 0 && matrix.columns() == 0) return py::none();
+py::typing::Optional<py::array_t<double>> array_of_matrix(bool given, const CostMatrix& matrix) {
+  if (!given) return py::none();
   py::array_t<double> array({matrix.rows(), matrix.columns()});
   auto a = array.mutable_unchecked<2>();
   for (int i = 0; i < matrix.rows(); ++i) {
@@ -195,10 +194,10 @@ void bind_tracking_part(Class& cls, Get get) {
                              "The rows of costs and beliefs: ids of the tracks open before the frame; 0: tentative.")
       .def_property_readonly("vicinity", [get](const typename Class::type& r) { return get(r).vicinity; },
                              "The VicinityGrid of each class of detections (-1: none), with config.outputs.vicinity.")
-      .def_property_readonly("beliefs", [get](const typename Class::type& r) { return array_of_matrix(get(r).beliefs); },
+      .def_property_readonly("beliefs", [get](const typename Class::type& r) { return array_of_matrix(get(r).has_matrices && get(r).beliefs.columns() > 0, get(r).beliefs); },
                              "Tracks x (detections + 1): probabilities, the last column for \"lost\", with cost.model belief\n"
                              "and config.outputs.cost_matrix; else None.")
-      .def_property_readonly("costs", [get](const typename Class::type& r) { return array_of_matrix(get(r).costs); }, "Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.");
+      .def_property_readonly("costs", [get](const typename Class::type& r) { return array_of_matrix(get(r).has_matrices, get(r).costs); }, "Tracks x detections, inf outside the gate, with config.outputs.cost_matrix; else None.");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "masks.hpp"
 #include "results.hpp"
 #include "survtrack/blobs/blob_extractor.hpp"
 #include "survtrack/core/checks.hpp"
@@ -53,11 +54,7 @@ py::array background(const PySegmenter& self) {
 }
 
 py::array clean_mask(const py::object& mask, const CleanupOptions& options) {
-  const ImageView view = view_of_image(mask, "mask");
-  if (view.image.channels() != 1) throw InputError("mask: has 3 channels; expected HxW uint8");
-  cv::Mat cleaned = view.image.clone();
-  Cleanup(options).apply(cleaned);
-  return array_of_image(cleaned);
+  return changed_mask(mask, [&](cv::Mat& changed) { Cleanup(options).apply(changed); });
 }
 
 PyDetections find_blobs(const py::object& mask, const py::object& frame, const BlobOptions& options, bool contours) {
@@ -92,7 +89,19 @@ void bind_segmentation(py::module_& module) {
         self.time_s.reset();
       }, "Forgets everything: the next frame is a first frame.");
   module.def("clean_mask", &clean_mask, py::arg("mask"), py::arg("options") = CleanupOptions{},
-             "A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing. The input is left alone.");
+             "A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing, tiles. The input is left\n"
+             "alone. A temporal median has nothing to do with one mask: see Cleanup.");
+  py::class_<Cleanup>(module, "Cleanup", "Noise removal on the masks of a run, one after the other.")
+      .def(py::init<const CleanupOptions&>(), py::arg("options") = CleanupOptions{}, "Raises ConfigError.")
+      .def("apply",
+           [](Cleanup& self, const py::object& mask) {
+             return changed_mask(mask, [&](cv::Mat& changed) { self.apply(changed); });
+           },
+           py::arg("mask"),
+           "The next mask (HxW uint8, not 0 is foreground) with its noise removed, 0 or 255; the input is left alone.\n"
+           "Raises InputError, for one of another size than those before it with a temporal median or for one too\n"
+           "small for its tiles, and then keeps its state.")
+      .def("reset", &Cleanup::reset, "Forgets the masks before: the next is a first mask.");
   module.def("find_blobs", &find_blobs, py::arg("mask"), py::arg("frame") = py::none(),
              py::arg("options") = BlobOptions{}, py::kw_only(), py::arg("contours") = false,
              "The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size).");

@@ -90,6 +90,12 @@ void bind_track(py::module_& module) {
 }
 
 void bind_event(py::module_& module) {
+  py::native_enum<LostPlace>(module, "LostPlace", "enum.Enum", "Where a track was when it was seen last.")
+      .value("none", LostPlace::none, "the event is no loss")
+      .value("border", LostPlace::border, "at the frame's border: it left")
+      .value("behind_object", LostPlace::behind_object, "beside or behind another track: occluded, or merged")
+      .value("open", LostPlace::open, "with nothing near: it stopped, or went behind the scene")
+      .finalize();
   py::native_enum<EventKind>(module, "EventKind", "enum.Enum", "What happened.")
       .value("track_started", EventKind::track_started, "a track was confirmed")
       .value("track_lost", EventKind::track_lost, "a confirmed track found no detection")
@@ -104,6 +110,7 @@ void bind_event(py::module_& module) {
       .def_readonly("index", &Event::index, "The frame's index in its source.")
       .def_readonly("time_s", &Event::time_s)
       .def_readonly("track_id", &Event::track_id, "0: concerns no track.")
+      .def_readonly("place", &Event::place, "Where a track that ended was lost.")
       .def_readonly("other_track_ids", &Event::other_track_ids)
       .def_property_readonly("position", [](const Event& e) { return tuple_of(e.position); }, "(x, y), px")
       .def_readonly("box", &Event::box, "px")

@@ -20,13 +20,16 @@ __all__: list[str] = [
     "Box",
     "BoxCenterOptions",
     "CentroidOptions",
+    "Cleanup",
     "CleanupOptions",
     "CloseMergeOptions",
     "Config",
     "ConfirmAndLoseOptions",
+    "CountMedianOptions",
     "Detection",
     "Detections",
     "Detector",
+    "DistanceOptions",
     "DroppedTrack",
     "Event",
     "EventKind",
@@ -46,17 +49,21 @@ __all__: list[str] = [
     "LinkOptions",
     "Linked",
     "LostCountOptions",
+    "LostPlace",
     "Match",
     "MatchMatrixOptions",
     "MeanVelocityOptions",
     "Mog2Options",
     "MovingAverageOptions",
     "NoMergeOptions",
+    "NoTilingOptions",
     "NoVicinityOptions",
     "OldestFirstOptions",
     "OutputOptions",
     "Pipeline",
     "PredictedTrack",
+    "QuadrantsOptions",
+    "RowOrderOptions",
     "SceneScale",
     "Segmenter",
     "SelectiveOptions",
@@ -65,6 +72,7 @@ __all__: list[str] = [
     "Tracker",
     "TrackingResult",
     "VicinityGrid",
+    "WholeFrameOptions",
     "assign_hungarian",
     "assign_oldest_first",
     "clean_mask",
@@ -76,6 +84,7 @@ __all__: list[str] = [
     "preset",
     "preset_names",
     "preset_text",
+    "tiled_morphology",
 ]
 
 class Box:
@@ -272,6 +281,16 @@ class Track:
         (x, y)
         """
 
+class LostPlace(enum.Enum):
+    """
+    Where a track was when it was seen last.
+    """
+
+    behind_object = 2
+    border = 1
+    none = 0
+    open = 3
+
 class EventKind(enum.Enum):
     """
     What happened.
@@ -304,6 +323,11 @@ class Event:
     def kind(self) -> EventKind: ...
     @property
     def other_track_ids(self) -> list[int]: ...
+    @property
+    def place(self) -> LostPlace:
+        """
+        Where a track that ended was lost.
+        """
     @property
     def position(self) -> tuple[float, float]:
         """
@@ -779,14 +803,217 @@ class KnnOptions:
     @squared_distance_threshold.setter
     def squared_distance_threshold(self, value: typing.Never) -> None: ...
 
+class NoTilingOptions:
+    """
+    no erosion and dilation with edges of their own.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoTilingOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoTilingOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoTilingOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class WholeFrameOptions:
+    """
+    erosion, then dilation of the whole frame, with edges of their own.
+
+    Args:
+        erode_px: edge of the erosion's element; 0 and 1 leave it out [px]; between 0 and 99
+        dilate_px: edge of the dilation's element; 0 and 1 leave it out [px]; between 0 and 99
+        shape: shape of both elements; one of "square" "cross" "ellipse"
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "whole"
+    def __copy__(self) -> WholeFrameOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> WholeFrameOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, erode_px: int = 4, dilate_px: int = 14, shape: str = "square") -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> WholeFrameOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def dilate_px(self) -> int:
+        """
+        edge of the dilation's element; 0 and 1 leave it out [px]
+        """
+    @dilate_px.setter
+    def dilate_px(self, value: typing.Never) -> None: ...
+    @property
+    def erode_px(self) -> int:
+        """
+        edge of the erosion's element; 0 and 1 leave it out [px]
+        """
+    @erode_px.setter
+    def erode_px(self, value: typing.Never) -> None: ...
+    @property
+    def shape(self) -> str:
+        """
+        shape of both elements
+        """
+    @shape.setter
+    def shape(self, value: typing.Never) -> None: ...
+
+class QuadrantsOptions:
+    """
+    erosion, then dilation of each quarter of the frame, with edges of its own (Semko 2007).
+
+    Args:
+        overlap_px: by which a quarter reads beyond each mid-line, at least half its two edges together [px]; between 0 and 99
+        shape: shape of all elements; one of "square" "cross" "ellipse"
+        erode_top_left_px: edge of the erosion's element; 0 and 1 leave it out [px]; between 0 and 99
+        dilate_top_left_px: edge of the dilation's element; 0 and 1 leave it out [px]; between 0 and 99
+        erode_top_right_px: the same, top right [px]; between 0 and 99
+        dilate_top_right_px: the same, top right [px]; between 0 and 99
+        erode_bottom_left_px: the same, bottom left [px]; between 0 and 99
+        dilate_bottom_left_px: the same, bottom left [px]; between 0 and 99
+        erode_bottom_right_px: the same, bottom right [px]; between 0 and 99
+        dilate_bottom_right_px: the same, bottom right [px]; between 0 and 99
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "quadrants"
+    def __copy__(self) -> QuadrantsOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> QuadrantsOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        overlap_px: int = 10,
+        shape: str = "square",
+        erode_top_left_px: int = 4,
+        dilate_top_left_px: int = 11,
+        erode_top_right_px: int = 4,
+        dilate_top_right_px: int = 14,
+        erode_bottom_left_px: int = 4,
+        dilate_bottom_left_px: int = 14,
+        erode_bottom_right_px: int = 4,
+        dilate_bottom_right_px: int = 15,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> QuadrantsOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def dilate_bottom_left_px(self) -> int:
+        """
+        the same, bottom left [px]
+        """
+    @dilate_bottom_left_px.setter
+    def dilate_bottom_left_px(self, value: typing.Never) -> None: ...
+    @property
+    def dilate_bottom_right_px(self) -> int:
+        """
+        the same, bottom right [px]
+        """
+    @dilate_bottom_right_px.setter
+    def dilate_bottom_right_px(self, value: typing.Never) -> None: ...
+    @property
+    def dilate_top_left_px(self) -> int:
+        """
+        edge of the dilation's element; 0 and 1 leave it out [px]
+        """
+    @dilate_top_left_px.setter
+    def dilate_top_left_px(self, value: typing.Never) -> None: ...
+    @property
+    def dilate_top_right_px(self) -> int:
+        """
+        the same, top right [px]
+        """
+    @dilate_top_right_px.setter
+    def dilate_top_right_px(self, value: typing.Never) -> None: ...
+    @property
+    def erode_bottom_left_px(self) -> int:
+        """
+        the same, bottom left [px]
+        """
+    @erode_bottom_left_px.setter
+    def erode_bottom_left_px(self, value: typing.Never) -> None: ...
+    @property
+    def erode_bottom_right_px(self) -> int:
+        """
+        the same, bottom right [px]
+        """
+    @erode_bottom_right_px.setter
+    def erode_bottom_right_px(self, value: typing.Never) -> None: ...
+    @property
+    def erode_top_left_px(self) -> int:
+        """
+        edge of the erosion's element; 0 and 1 leave it out [px]
+        """
+    @erode_top_left_px.setter
+    def erode_top_left_px(self, value: typing.Never) -> None: ...
+    @property
+    def erode_top_right_px(self) -> int:
+        """
+        the same, top right [px]
+        """
+    @erode_top_right_px.setter
+    def erode_top_right_px(self, value: typing.Never) -> None: ...
+    @property
+    def overlap_px(self) -> int:
+        """
+        by which a quarter reads beyond each mid-line, at least half its two edges together [px]
+        """
+    @overlap_px.setter
+    def overlap_px(self, value: typing.Never) -> None: ...
+    @property
+    def shape(self) -> str:
+        """
+        shape of all elements
+        """
+    @shape.setter
+    def shape(self, value: typing.Never) -> None: ...
+
 class CleanupOptions:
     """
-    Noise removal on the mask: median, opening, closing.
+    Noise removal on the mask: temporal median, median, opening, closing, tiles.
 
     Args:
         median_px: side of the median's square [px]; between 0 and 31, 0 or odd
         open_px: side of the opening's square: removes what is thinner [px]; between 0 and 99, 0 or odd
         close_px: side of the closing's square: joins over narrower gaps [px]; between 0 and 99, 0 or odd
+        temporal_median_frames: foreground is what is so in more than half of this many masks; comes before the other steps; 0 and 1: off [frames]; between 0 and 999, 0 or odd
+        tiling: erosion, then dilation of the mask, with edges of their own; comes last
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -794,7 +1021,15 @@ class CleanupOptions:
     def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> CleanupOptions: ...
     def __eq__(self, other: typing.Any) -> bool: ...
     def __getstate__(self) -> str: ...
-    def __init__(self, *, median_px: int = 5, open_px: int = 0, close_px: int = 0) -> None:
+    def __init__(
+        self,
+        *,
+        median_px: int = 5,
+        open_px: int = 0,
+        close_px: int = 0,
+        temporal_median_frames: int = 0,
+        tiling: NoTilingOptions | WholeFrameOptions | QuadrantsOptions = ...,
+    ) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
         """
@@ -829,6 +1064,20 @@ class CleanupOptions:
         """
     @open_px.setter
     def open_px(self, value: typing.Never) -> None: ...
+    @property
+    def temporal_median_frames(self) -> int:
+        """
+        foreground is what is so in more than half of this many masks; comes before the other steps; 0 and 1: off [frames]
+        """
+    @temporal_median_frames.setter
+    def temporal_median_frames(self, value: typing.Never) -> None: ...
+    @property
+    def tiling(self) -> NoTilingOptions | WholeFrameOptions | QuadrantsOptions:
+        """
+        erosion, then dilation of the mask, with edges of their own; comes last
+        """
+    @tiling.setter
+    def tiling(self, value: typing.Never) -> None: ...
 
 class FragmentMergeOptions:
     """
@@ -1154,7 +1403,9 @@ class KalmanCaOptions:
     Args:
         noise_unit: the length that noises are measured in; one of "object_size" "px"
         acceleration_noise: standard deviation of the acceleration gained or lost in one time unit (root of Q's density) [length/unit^2]; between 1e-06 and 1000000
+        noise_form: how Q is made; identity: the square of acceleration_noise is the variance that each state gains in one time unit; one of "continuous" "identity"
         position_noise: standard deviation of a measured position (root of R) [length]; between 1e-06 and 1000000
+        initial_position: standard deviation of a new track's position; 0: that of a measured one [length]; between 0 and 1000000
         initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
         initial_acceleration: standard deviation of a new track's acceleration [length/unit^2]; between 0 and 1000000
     """
@@ -1170,7 +1421,9 @@ class KalmanCaOptions:
         *,
         noise_unit: str = "object_size",
         acceleration_noise: float = 0.4,
+        noise_form: str = "continuous",
         position_noise: float = 0.06,
+        initial_position: float = 0.0,
         initial_velocity: float = 1.0,
         initial_acceleration: float = 0.5,
     ) -> None:
@@ -1202,12 +1455,26 @@ class KalmanCaOptions:
     @initial_acceleration.setter
     def initial_acceleration(self, value: typing.Never) -> None: ...
     @property
+    def initial_position(self) -> float:
+        """
+        standard deviation of a new track's position; 0: that of a measured one [length]
+        """
+    @initial_position.setter
+    def initial_position(self, value: typing.Never) -> None: ...
+    @property
     def initial_velocity(self) -> float:
         """
         standard deviation of a new track's velocity [length/unit]
         """
     @initial_velocity.setter
     def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def noise_form(self) -> str:
+        """
+        how Q is made; identity: the square of acceleration_noise is the variance that each state gains in one time unit
+        """
+    @noise_form.setter
+    def noise_form(self, value: typing.Never) -> None: ...
     @property
     def noise_unit(self) -> str:
         """
@@ -1527,6 +1794,42 @@ class BeliefOptions:
     @velocity_break_point.setter
     def velocity_break_point(self, value: typing.Never) -> None: ...
 
+class DistanceOptions:
+    """
+    distance from the predicted position (Semko 2007).
+
+    Args:
+        max_distance_px: pairs further apart are refused; 0: none is [px]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "distance"
+    def __copy__(self) -> DistanceOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> DistanceOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, max_distance_px: float = 0.0) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> DistanceOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def max_distance_px(self) -> float:
+        """
+        pairs further apart are refused; 0: none is [px]
+        """
+    @max_distance_px.setter
+    def max_distance_px(self, value: typing.Never) -> None: ...
+
 class HungarianOptions:
     """
     optimal one-to-one assignment (Kuhn 1955).
@@ -1583,6 +1886,34 @@ class OldestFirstOptions:
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> OldestFirstOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class RowOrderOptions:
+    """
+    as many detections as tracks: from top to bottom, in order of age; else the optimal one (Semko 2007).
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "row_order"
+    def __copy__(self) -> RowOrderOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> RowOrderOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> RowOrderOptions:
         """
         A copy with some options changed.
         """
@@ -1711,6 +2042,73 @@ class LostCountOptions:
         """
     @lost_after_frames.setter
     def lost_after_frames(self, value: typing.Never) -> None: ...
+
+class CountMedianOptions:
+    """
+    as many tracks as the running median of the detections' count (Semko 2007, IV.C.2).
+
+    Args:
+        median_frames: length of the median of the count; 0 and 1: the count itself [frames]; between 0 and 99999, 0 or odd
+        max_contacts: most tracks at a time; between 1 and 100000
+        keep_contacts: a missing contact is predicted for ever, and the next newcomer is taken for it (Suliman et al. 2010)
+        restart_after_s: a kept contact that was missing for longer starts anew where it is seen; 0: it never does [s]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "count_median"
+    def __copy__(self) -> CountMedianOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> CountMedianOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        median_frames: int = 25,
+        max_contacts: int = 10,
+        keep_contacts: bool = False,
+        restart_after_s: float = 0.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> CountMedianOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def keep_contacts(self) -> bool:
+        """
+        a missing contact is predicted for ever, and the next newcomer is taken for it (Suliman et al. 2010)
+        """
+    @keep_contacts.setter
+    def keep_contacts(self, value: typing.Never) -> None: ...
+    @property
+    def max_contacts(self) -> int:
+        """
+        most tracks at a time
+        """
+    @max_contacts.setter
+    def max_contacts(self, value: typing.Never) -> None: ...
+    @property
+    def median_frames(self) -> int:
+        """
+        length of the median of the count; 0 and 1: the count itself [frames]
+        """
+    @median_frames.setter
+    def median_frames(self, value: typing.Never) -> None: ...
+    @property
+    def restart_after_s(self) -> float:
+        """
+        a kept contact that was missing for longer starts anew where it is seen; 0: it never does [s]
+        """
+    @restart_after_s.setter
+    def restart_after_s(self, value: typing.Never) -> None: ...
 
 class NoVicinityOptions:
     """
@@ -1942,9 +2340,9 @@ class Config:
         blobs: BlobOptions = ...,
         filter: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions = ...,
         measurement: BoxCenterOptions | CentroidOptions = ...,
-        cost: GaussianCostOptions | MatchMatrixOptions | BeliefOptions = ...,
-        assignment: HungarianOptions | OldestFirstOptions = ...,
-        lifecycle: ConfirmAndLoseOptions | LostCountOptions = ...,
+        cost: GaussianCostOptions | MatchMatrixOptions | BeliefOptions | DistanceOptions = ...,
+        assignment: HungarianOptions | OldestFirstOptions | RowOrderOptions = ...,
+        lifecycle: ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions = ...,
         vicinity: NoVicinityOptions | GridVicinityOptions = ...,
         outputs: OutputOptions = ...,
     ) -> None:
@@ -1986,12 +2384,14 @@ class Config:
         Reads options from TOML on top of the present ones; an error leaves the config as it was.
         """
     @property
-    def assignment(self) -> HungarianOptions | OldestFirstOptions:
+    def assignment(self) -> HungarianOptions | OldestFirstOptions | RowOrderOptions:
         """
         who gets which detection
         """
     @assignment.setter
-    def assignment(self, value: HungarianOptions | OldestFirstOptions) -> None: ...
+    def assignment(
+        self, value: HungarianOptions | OldestFirstOptions | RowOrderOptions
+    ) -> None: ...
     @property
     def blobs(self) -> BlobOptions:
         """
@@ -2007,12 +2407,14 @@ class Config:
     @cleanup.setter
     def cleanup(self, value: CleanupOptions) -> None: ...
     @property
-    def cost(self) -> GaussianCostOptions | MatchMatrixOptions | BeliefOptions:
+    def cost(self) -> GaussianCostOptions | MatchMatrixOptions | BeliefOptions | DistanceOptions:
         """
         how well a detection fits a track
         """
     @cost.setter
-    def cost(self, value: GaussianCostOptions | MatchMatrixOptions | BeliefOptions) -> None: ...
+    def cost(
+        self, value: GaussianCostOptions | MatchMatrixOptions | BeliefOptions | DistanceOptions
+    ) -> None: ...
     @property
     def filter(self) -> KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions:
         """
@@ -2021,12 +2423,14 @@ class Config:
     @filter.setter
     def filter(self, value: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions) -> None: ...
     @property
-    def lifecycle(self) -> ConfirmAndLoseOptions | LostCountOptions:
+    def lifecycle(self) -> ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions:
         """
         when tracks are born, believed, lost and closed
         """
     @lifecycle.setter
-    def lifecycle(self, value: ConfirmAndLoseOptions | LostCountOptions) -> None: ...
+    def lifecycle(
+        self, value: ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions
+    ) -> None: ...
     @property
     def measurement(self) -> BoxCenterOptions | CentroidOptions:
         """
@@ -2293,6 +2697,25 @@ class Segmenter:
         """
         One frame on: frame is HxW or HxWx3 (BGR) uint8, time_s increases. Returns the mask before cleanup, HxW
         uint8, 0 or 255. Raises InputError and then keeps its state.
+        """
+
+class Cleanup:
+    """
+    Noise removal on the masks of a run, one after the other.
+    """
+    def __init__(self, options: CleanupOptions = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def apply(self, mask: typing.Any) -> numpy.ndarray:
+        """
+        The next mask (HxW uint8, not 0 is foreground) with its noise removed, 0 or 255; the input is left alone.
+        Raises InputError, for one of another size than those before it with a temporal median or for one too
+        small for its tiles, and then keeps its state.
+        """
+    def reset(self) -> None:
+        """
+        Forgets the masks before: the next is a first mask.
         """
 
 class FilterBank:
@@ -2733,7 +3156,8 @@ def assign_oldest_first(
 
 def clean_mask(mask: typing.Any, options: CleanupOptions = ...) -> numpy.ndarray:
     """
-    A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing. The input is left alone.
+    A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing, tiles. The input is left
+    alone. A temporal median has nothing to do with one mask: see Cleanup.
     """
 
 def find_blobs(
@@ -2787,6 +3211,31 @@ def preset_names() -> list[str]:
 def preset_text(name: str) -> str:
     """
     A preset's TOML file: what differs from the defaults, with the reasons.
+    """
+
+def tiled_morphology(
+    mask: typing.Any,
+    *,
+    rows: typing.SupportsInt | typing.SupportsIndex,
+    columns: typing.SupportsInt | typing.SupportsIndex,
+    overlap_px: typing.SupportsInt | typing.SupportsIndex,
+    erode_px: typing.Any,
+    dilate_px: typing.Any,
+    shape: str = "square",
+) -> numpy.ndarray:
+    """
+    Erosion, then dilation of a mask (HxW uint8, not 0 is foreground), tile by tile (Semko 2007).
+
+    Args:
+        rows, columns: of the grid, 1 to 1000; it need not divide the mask.
+        overlap_px: by which a tile reads beyond its own part on each side; at least the reach of each tile,
+            floor(erode_px / 2) + floor(dilate_px / 2).
+        erode_px, dilate_px: edges of the elements, an integer or rows x columns of them; 0 to 255, even ones
+            too: a pixel's offsets are -floor(k / 2) to k - 1 - floor(k / 2). 0 and 1 leave the step out.
+        shape: "square", "cross" or "ellipse", as OpenCV's elements.
+
+    Dilation is by the reflected element. What lies beyond the mask is neutral to both. Returns a new mask,
+    0 or 255. Raises ConfigError for the grid and InputError for a mask too small for it.
     """
 
 __version__: str = "0.1.0"

@@ -46,10 +46,7 @@ def match_table(result: "FrameResult | TrackingResult") -> MatchTable:
     """
     values = result.costs if result.beliefs is None else result.beliefs
     if values is None:
-        # A frame without tracks and blobs has no entry; one without the option has no row names.
-        if result.matrix_track_ids or len(result.matches) > 0:
-            raise UsageError("matrix: this result has none; outputs.cost_matrix is false")
-        values = np.zeros((0, 0))
+        raise UsageError("matrix: this result has none; outputs.cost_matrix is false")
     kind = "cost" if result.beliefs is None else "belief"
     blobs = values.shape[1] - (kind == "belief")
     assigned: list[int | None] = [None] * len(values)

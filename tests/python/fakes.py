@@ -20,6 +20,13 @@ class Status(Enum):
 class Kind(Enum):
     track_started = 0
     scene_changed = 1
+    track_ended = 2
+
+
+class Place(Enum):
+    none = 0
+    border = 1
+    open = 3
 
 
 @dataclass
@@ -57,6 +64,8 @@ class Event:
     position: tuple[float, float] = (0.0, 0.0)
     box: Box = field(default_factory=lambda: Box(0, 0, 0, 0))
     text: str = ""
+    place: Place = Place.none
+    position_covariance_px2: np.ndarray = field(default_factory=lambda: np.eye(2))
 
 
 @dataclass

@@ -97,12 +97,39 @@ def configs() -> st.SearchStrategy[survtrack.Config]:
     chosen = st.fixed_dictionaries({name: parts(name) for name in SECTIONS if "." not in name})
     time_unit_s = st.floats(1e-6, 3600)
     return st.builds(
-        lambda unit, options: survtrack.Config(time_unit_s=unit, **options), time_unit_s, chosen
+        lambda unit, options: with_reach(survtrack.Config(time_unit_s=unit, **options)),
+        time_unit_s,
+        chosen,
     ).filter(sections_agree)
 
 
-def with_cells_in(frame: tuple[int, ...], config: survtrack.Config) -> survtrack.Config:
-    """The config with a vicinity grid that a frame of this height and width has room for."""
+def edges_of(tiling: survtrack.QuadrantsOptions) -> dict[str, int]:
+    values = tiling.to_dict()
+    return {name: int(str(values[name])) for name in values if name[:5] in ("erode", "dilat")}
+
+
+def with_reach(config: survtrack.Config) -> survtrack.Config:
+    """The config with an overlap of the quadrants as large as their edges need."""
+    tiling = config.cleanup.tiling
+    if isinstance(tiling, survtrack.QuadrantsOptions):
+        edges = edges_of(tiling)
+        corners = {name.split("_", 1)[1] for name in edges}
+        reach = [edges[f"erode_{c}"] // 2 + edges[f"dilate_{c}"] // 2 for c in corners]
+        config.set(f"cleanup.tiling.overlap_px={max(tiling.overlap_px, *reach)}")
+    return config
+
+
+def with_parts_in(frame: tuple[int, ...], config: survtrack.Config) -> survtrack.Config:
+    """The config with a vicinity grid and tiles that a frame of this shape has room for."""
     if config.vicinity.model == "grid":
         config.set(f"vicinity.cell_px={min(config.vicinity.cell_px, *frame[:2])}")
+    tiling = config.cleanup.tiling
+    if isinstance(tiling, survtrack.WholeFrameOptions):
+        for name in ("erode_px", "dilate_px"):
+            config.set(f"cleanup.tiling.{name}={min(getattr(tiling, name), *frame[:2])}")
+    elif isinstance(tiling, survtrack.QuadrantsOptions) and min(frame[:2]) < 2:
+        config.set("cleanup.tiling.model=none")
+    elif isinstance(tiling, survtrack.QuadrantsOptions):
+        for name, edge in edges_of(tiling).items():
+            config.set(f"cleanup.tiling.{name}={min(edge, frame[0] // 2, frame[1] // 2)}")
     return config

@@ -28,15 +28,29 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.GaussianCostOptions,
         survtrack.MatchMatrixOptions,
         survtrack.BeliefOptions,
+        survtrack.DistanceOptions,
     ),
-    "assignment": (survtrack.HungarianOptions, survtrack.OldestFirstOptions),
-    "lifecycle": (survtrack.ConfirmAndLoseOptions, survtrack.LostCountOptions),
+    "assignment": (
+        survtrack.HungarianOptions,
+        survtrack.OldestFirstOptions,
+        survtrack.RowOrderOptions,
+    ),
+    "lifecycle": (
+        survtrack.ConfirmAndLoseOptions,
+        survtrack.LostCountOptions,
+        survtrack.CountMedianOptions,
+    ),
     "vicinity": (survtrack.NoVicinityOptions, survtrack.GridVicinityOptions),
 }
 MERGES: tuple[type[Any], ...] = (
     survtrack.FragmentMergeOptions,
     survtrack.CloseMergeOptions,
     survtrack.NoMergeOptions,
+)
+TILINGS: tuple[type[Any], ...] = (
+    survtrack.NoTilingOptions,
+    survtrack.WholeFrameOptions,
+    survtrack.QuadrantsOptions,
 )
 PARTS: dict[str, type[Any]] = {
     "cleanup": survtrack.CleanupOptions,
@@ -46,6 +60,7 @@ PARTS: dict[str, type[Any]] = {
 CLASSES: list[type[Any]] = [
     *(one for models in MODELS.values() for one in models),
     *MERGES,
+    *TILINGS,
     *PARTS.values(),
 ]
 

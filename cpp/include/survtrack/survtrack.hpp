@@ -22,3 +22,4 @@
 #include "survtrack/pipeline/tracker.hpp"
 #include "survtrack/segmentation/cleanup.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
+#include "survtrack/segmentation/tiled_morphology.hpp"

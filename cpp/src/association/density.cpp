@@ -77,11 +77,12 @@ Density Density::two_sided_exponential(double range, double scale) {
 }
 
 Density Density::from_values(double range, const std::vector<double>& values, const std::string& name) {
-  if (!(range > 0.0) || !std::isfinite(range)) refuse(name + ".range", "expected a finite number above 0");
-  if (values.size() < 3) refuse(name + ".values", "expected at least 3");
+  if (!(range > 0.0) || !std::isfinite(range)) refuse(name + ".range", "is " + std::to_string(range) + "; expected a finite number above 0");
+  if (values.size() < 3) refuse(name + ".values", "are " + std::to_string(values.size()) + "; expected at least 3");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] >= 0.0) || !std::isfinite(values[i])) {
-      refuse(name + ".values[" + std::to_string(i) + "]", "expected a finite number of at least 0");
+      refuse(name + ".values[" + std::to_string(i) + "]",
+             "is " + std::to_string(values[i]) + "; expected a finite number of at least 0");
     }
   }
   const double integral = mass(values) * 2.0 * range / static_cast<double>(values.size());
@@ -141,10 +142,15 @@ void DensityLearner::restore(const Density& learned, double samples, const std::
          << counts_.size() << " over +-" << start_.range();
     refuse(name, text.str());
   }
-  if (samples < learn_after_) return;  // it was still a beginning
   density_ = learned;
-  samples_ = samples;
   since_fit_ = 0;
+  if (samples < learn_after_) {  // what to begin with, such as a density drawn by hand
+    start_ = learned;
+    samples_ = 0.0;
+    std::fill(counts_.begin(), counts_.end(), 0.0);
+    return;
+  }
+  samples_ = samples;
   const double total = mass(learned.relative());
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] = samples * learned.relative()[i] / total;
 }

@@ -19,6 +19,16 @@ const char* to_string(EventKind kind) {
   return "";
 }
 
+const char* to_string(LostPlace place) {
+  switch (place) {
+    case LostPlace::none: return "none";
+    case LostPlace::border: return "border";
+    case LostPlace::behind_object: return "behind_object";
+    case LostPlace::open: return "open";
+  }
+  return "";
+}
+
 const char* to_string(TrackStatus status) {
   switch (status) {
     case TrackStatus::tentative: return "tentative";

@@ -20,11 +20,13 @@ class KalmanFilterBank final : public FilterBank {
   using Model = MotionModel<Order>;
   using Bank = KalmanBank<Model::state_size, 2>;
   using State = typename Bank::State;
+  using Covariance = typename Bank::Covariance;
 
  public:
   struct Noise {
     NoiseUnit unit;
     double density_root;
+    NoiseForm form;
     double position;
     State initial_deviation;
     double lost_damping_time;
@@ -38,13 +40,20 @@ class KalmanFilterBank final : public FilterBank {
   int size() const override { return bank_.size(); }
 
   int add(const Point& position, double object_size_px) override {
-    lengths_.push_back(length(object_size_px));
+    lengths_.push_back(0.0);
     unmatched_.push_back(0);
-    State x = State::Zero();
-    x(0) = position.x;
-    x(1) = position.y;
-    const State deviation = lengths_.back() * noise_.initial_deviation;
-    return bank_.add(x, deviation.array().square().matrix().asDiagonal());
+    const int slot = bank_.add(State::Zero(), Covariance::Zero());
+    restart(slot, position, object_size_px);
+    return slot;
+  }
+
+  void restart(int slot, const Point& position, double object_size_px) override {
+    lengths_[at(slot)] = length(object_size_px);
+    unmatched_[at(slot)] = 0;
+    bank_.x(slot) = State::Zero();
+    bank_.x(slot).template head<2>() << position.x, position.y;
+    const State deviation = lengths_[at(slot)] * noise_.initial_deviation;
+    bank_.P(slot) = deviation.array().square().matrix().asDiagonal();
   }
 
   void remove(int slot) override {
@@ -61,7 +70,8 @@ class KalmanFilterBank final : public FilterBank {
 
   void predict(double dt) override {
     const typename Model::Matrix F = Model::transition(dt);
-    const typename Model::Matrix Q = Model::unit_noise(dt);
+    const typename Model::Matrix Q =
+        noise_.form == NoiseForm::continuous ? Model::unit_noise(dt) : typename Model::Matrix(dt * Model::Matrix::Identity());
     typename Model::Matrix F_lost = F;
     if (noise_.lost_damping_time > 0.0) {
       // v' = -v / tau: the way to a standstill is tau v, and two steps of dt / 2 are one of dt.
@@ -123,14 +133,15 @@ struct MakeBank {
     const double p = o.position_noise, v = o.initial_velocity;
     using Bank = KalmanFilterBank<2>;
     return std::make_unique<Bank>(
-        Bank::Noise{o.noise_unit, o.velocity_noise, p, Eigen::Vector4d(p, p, v, v), o.lost_damping_time});
+        Bank::Noise{o.noise_unit, o.velocity_noise, NoiseForm::continuous, p, Eigen::Vector4d(p, p, v, v), o.lost_damping_time});
   }
   std::unique_ptr<FilterBank> operator()(const KalmanCaOptions& o) const {
     const double p = o.position_noise, v = o.initial_velocity, a = o.initial_acceleration;
     Eigen::Matrix<double, 6, 1> deviation;
-    deviation << p, p, v, v, a, a;
+    const double start = o.initial_position > 0.0 ? o.initial_position : p;
+    deviation << start, start, v, v, a, a;
     using Bank = KalmanFilterBank<3>;
-    return std::make_unique<Bank>(Bank::Noise{o.noise_unit, o.acceleration_noise, p, deviation, 0.0});
+    return std::make_unique<Bank>(Bank::Noise{o.noise_unit, o.acceleration_noise, o.noise_form, p, deviation, 0.0});
   }
   std::unique_ptr<FilterBank> operator()(const MeanVelocityOptions& o) const {
     return std::make_unique<MeanVelocityBank>(o);

@@ -6,10 +6,18 @@
 namespace survtrack {
 
 int MeanVelocityBank::add(const Point& position, double) {
+  slots_.push_back(started_at(position));
+  return size() - 1;
+}
+
+void MeanVelocityBank::restart(int slot, const Point& position, double) {
+  slots_[static_cast<std::size_t>(slot)] = started_at(position);
+}
+
+MeanVelocityBank::Slot MeanVelocityBank::started_at(const Point& position) {
   Slot slot;
   slot.measured = slot.predicted = position;
-  slots_.push_back(slot);
-  return size() - 1;
+  return slot;
 }
 
 void MeanVelocityBank::predict(double dt) {

@@ -3,6 +3,8 @@
 
 #include "survtrack/pipeline/config.hpp"
 
+#include <algorithm>
+
 #include "core/options_json.hpp"
 #include "core/toml.hpp"
 #include "pipeline/embedded_presets.hpp"
@@ -17,7 +19,12 @@ void update(Config& config, Json object) {
   Config changed = config;
   if (const auto base = object.find("base"); object.is_object() && base != object.end()) {
     if (!base->is_string()) options_json::refuse("base", *base, "one of: " + options_json::quoted_choices(preset_names()));
-    changed = preset(base->get<std::string>());
+    const std::string name = base->get<std::string>();
+    const std::vector<std::string> names = preset_names();
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      throw ConfigError("base: unknown \"" + name + "\"; one of: " + options_json::quoted_choices(names));
+    }
+    changed = preset(name);
     object.erase("base");
   }
   options_json::assign_struct(changed, object, "");
@@ -94,6 +101,7 @@ std::string Config::to_json() const { return options_json::struct_to_json(*this)
 
 const Config& Config::check() const {
   check_fields(*this);
+  check_tiling(cleanup.tiling, "cleanup.tiling");
   if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
     throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
                       "expected cost.model match_matrix, or filter.model kalman_cv or kalman_ca");

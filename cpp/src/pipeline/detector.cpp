@@ -99,6 +99,7 @@ std::vector<Detections> Detector::finish() {
 
 void Detector::reset() {
   segmenter_->reset();
+  cleanup_.reset();
   queue_.clear();
   channels_ = 0;
   last_index_ = -1;

@@ -47,7 +47,9 @@ class JsonReader {
   double number(double low = -1e300, double high = 1e300) const {
     if (!json_->is_number()) refuse("is not a number");
     const double value = json_->get<double>();
-    if (!(value >= low && value <= high)) refuse("is " + json_->dump() + ", out of its range");
+    if (!(value >= low && value <= high)) {
+      refuse("is " + json_->dump() + "; expected " + Json(low).dump() + " to " + Json(high).dump());
+    }
     return value;
   }
 

@@ -9,6 +9,7 @@
 
 #include "survtrack/core/checks.hpp"
 #include "survtrack/core/errors.hpp"
+#include "survtrack/tracking/lost_place.hpp"
 
 namespace survtrack {
 namespace {
@@ -31,6 +32,21 @@ Event event_of(EventKind kind, const Track& track, const Detections& now) {
     case EventKind::track_recovered: event.text = name + " was found again"; break;
     case EventKind::anomalous_speed: event.text = name + " moves unlike others there"; break;
     default: event.text = name + " ended"; break;
+  }
+  return event;
+}
+
+/// A track's end, told from where it was measured last.
+Event end_of(const OpenTrack& row, LostPlace place, const Detections& now) {
+  Event event = event_of(EventKind::track_ended, row.track, now);
+  event.position = row.seen_position;
+  event.box = row.seen;
+  event.place = place;
+  switch (place) {
+    case LostPlace::border: event.text += ": it was lost at the border"; break;
+    case LostPlace::behind_object: event.text += ": it was lost behind another object"; break;
+    case LostPlace::open: event.text += ": it was lost in the open"; break;
+    case LostPlace::none: break;
   }
   return event;
 }
@@ -164,10 +180,13 @@ void Tracker::report(const Detections& detections, TrackingResult& result) {
     if (lost_before && track.status == TrackStatus::confirmed) raise(EventKind::track_recovered);
     if (old && !lost_before && track.lost_frames > 0) raise(EventKind::track_lost);
     if (vicinity_ && contains(vicinity_->anomalous(), track.id)) raise(EventKind::anomalous_speed);
-    if (track.status == TrackStatus::closed) raise(EventKind::track_ended);
+    if (track.status == TrackStatus::closed) {
+      result.events.push_back(end_of(table_.row(i), lost_place(table_, i, detections), detections));
+    }
   }
   raise_met(detections, result);
   std::sort(result.tracks.begin(), result.tracks.end(), [](const Track& a, const Track& b) { return a.id < b.id; });
+  result.has_matrices = outputs_.cost_matrix;
   if (outputs_.cost_matrix) {
     result.costs = matcher_.costs();
     if (matcher_.belief()) result.beliefs = matcher_.belief()->beliefs();
@@ -206,6 +225,7 @@ TrackingResult Tracker::process(const Detections& detections) {
 
 void Tracker::reset() {
   table_.clear();
+  lifecycle_->clear();
   if (matcher_.belief()) matcher_.belief()->clear();
   if (vicinity_) vicinity_->clear();
   convergence_.clear();

@@ -7,64 +7,11 @@
 #include <utility>
 
 #include "core/mask_bits.hpp"
-#include "core/simd.hpp"
+#include "segmentation/mask_window.hpp"
 
 namespace survtrack::kernels {
-namespace {
 
 using mask_bits::word_bits;
-using Word = std::uint64_t;
-
-/// to = from (and | or) from shifted by `near` (and | or) from shifted by `far` bits, in `count` words.
-/// Forwards a bit meets those after it, backwards those before it; reads far / 64 + 1 words beyond.
-struct Window {
-  Word* to;
-  const Word* from;
-  std::size_t count;
-  std::size_t near;
-  std::size_t far;
-};
-
-template <bool forwards>
-struct Shifted {
-  const Word* words;
-  unsigned bits;
-
-  SURVTRACK_SIMD_INLINE Shifted(const Word* from, std::size_t shift)
-      : words(forwards ? from + shift / word_bits : from - shift / word_bits),
-        bits(static_cast<unsigned>(shift % word_bits)) {}
-
-  /// Shifts in two steps, as a shift by all 64 bits is undefined.
-  SURVTRACK_SIMD_INLINE Word operator[](std::size_t i) const {
-    if constexpr (forwards) return (words[i] >> bits) | ((words[i + 1] << 1) << (63 - bits));
-    return (words[i] << bits) | ((words[i - 1] >> 1) >> (63 - bits));
-  }
-};
-
-template <bool erode, bool forwards>
-struct WindowKernel {
-  SURVTRACK_SIMD_INLINE void operator()(const Window& window) const {
-    Word* const to = window.to;
-    const Word* const from = window.from;
-    const Shifted<forwards> near(from, window.near);
-    const Shifted<forwards> far(from, window.far);
-    const std::size_t count = window.count;
-    SURVTRACK_SIMD_LOOP
-    for (std::size_t i = 0; i < count; ++i) {
-      to[i] = erode ? from[i] & near[i] & far[i] : from[i] | near[i] | far[i];
-    }
-  }
-};
-
-void run(bool erode, bool forwards, const Window& window) {
-  if (erode) {
-    forwards ? simd::run<WindowKernel<true, true>>(window) : simd::run<WindowKernel<true, false>>(window);
-  } else {
-    forwards ? simd::run<WindowKernel<false, true>>(window) : simd::run<WindowKernel<false, false>>(window);
-  }
-}
-
-}  // namespace
 
 MaskMorphology::MaskMorphology(Operation operation, int side)
     : operation_(operation), side_(static_cast<std::size_t>(side)) {}
@@ -136,7 +83,7 @@ void MaskMorphology::filter(bool erode, bool forwards) {
   const auto pass = [&](std::size_t near, std::size_t far) {
     const std::size_t reach = far / word_bits + 1;
     const std::size_t begin = forwards ? 0 : reach;
-    run(erode, forwards, {spare_.data() + begin, bits_.data() + begin, bits_.size() - reach, near, far});
+    run_window(erode, forwards, {spare_.data() + begin, bits_.data() + begin, bits_.size() - reach, near, far});
     std::swap(bits_, spare_);
   };
   for (const std::size_t step : {std::size_t{1}, row_words_ * word_bits}) {

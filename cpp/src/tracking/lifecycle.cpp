@@ -3,6 +3,8 @@
 
 #include "survtrack/tracking/lifecycle.hpp"
 
+#include "tracking/count_median.hpp"
+
 namespace survtrack {
 namespace {
 
@@ -109,6 +111,7 @@ struct MakeLifecycle {
     return std::make_unique<ConfirmAndLose>(o);
   }
   std::unique_ptr<Lifecycle> operator()(const LostCountOptions& o) const { return std::make_unique<LostCount>(o); }
+  std::unique_ptr<Lifecycle> operator()(const CountMedianOptions& o) const { return std::make_unique<CountMedian>(o); }
 };
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include "survtrack/tracking/matcher.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "survtrack/association/assign.hpp"
 #include "survtrack/association/costs.hpp"
@@ -47,6 +49,17 @@ struct FillCosts {
     }
   }
 
+  void operator()(const DistanceOptions& o) const {
+    for (int r = 0; r < costs.rows(); ++r) {
+      const Point predicted = table.predicted_position(r);
+      for (int c = 0; c < costs.columns(); ++c) {
+        const Point seen = table.observe(r, detections.items[static_cast<std::size_t>(c)]).position;
+        const double distance = std::hypot(seen.x - predicted.x, seen.y - predicted.y);
+        costs(r, c) = o.max_distance_px > 0.0 && distance > o.max_distance_px ? CostMatrix::gated : distance;
+      }
+    }
+  }
+
   void operator()(const BeliefOptions&) const { belief->fill(table, detections, costs); }
 
   static double factor(const MatchMatrixOptions& o, const TrackTable::Motion& motion, const Point& position) {
@@ -67,7 +80,7 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
   const auto columns = static_cast<int>(detections.items.size());
   costs_.resize(rows, columns);
   std::visit(FillCosts{table, detections, belief_, costs_}, cost_);
-  assign_rows(table, matches.detection_of_track);
+  assign_rows(table, detections, matches.detection_of_track);
   matches.track_of_detection.assign(static_cast<std::size_t>(columns), -1);
   matches.candidates.clear();
   for (int r = 0; r < rows; ++r) {
@@ -81,12 +94,32 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
   if (belief_) belief_->learn(table, detections);
 }
 
-void Matcher::assign_rows(const TrackTable& table, Assignment& assignment) {
-  const auto* hungarian = std::get_if<HungarianOptions>(&assignment_);
-  if (hungarian == nullptr) {
+/// Topmost detections first, of equally high ones the leftmost; pairs that the gate refuses stay apart.
+void Matcher::assign_in_row_order(const Detections& detections, Assignment& assignment) {
+  rows_.resize(detections.items.size());
+  std::iota(rows_.begin(), rows_.end(), 0);
+  std::sort(rows_.begin(), rows_.end(), [&](int a, int b) {
+    const Point& p = detections.items[static_cast<std::size_t>(a)].position;
+    const Point& q = detections.items[static_cast<std::size_t>(b)].position;
+    if (p.y != q.y) return p.y < q.y;
+    return p.x != q.x ? p.x < q.x : a < b;
+  });
+  assignment.assign(rows_.begin(), rows_.end());
+  for (std::size_t r = 0; r < assignment.size(); ++r) {
+    if (std::isinf(costs_(static_cast<int>(r), assignment[r]))) assignment[r] = -1;
+  }
+}
+
+void Matcher::assign_rows(const TrackTable& table, const Detections& detections, Assignment& assignment) {
+  if (std::holds_alternative<OldestFirstOptions>(assignment_)) {
     assignment = assign_oldest_first(costs_);
     return;
   }
+  if (std::holds_alternative<RowOrderOptions>(assignment_) && costs_.rows() == costs_.columns()) {
+    assign_in_row_order(detections, assignment);
+    return;
+  }
+  const auto* hungarian = std::get_if<HungarianOptions>(&assignment_);
   assignment.assign(static_cast<std::size_t>(table.size()), -1);
   const auto assign_those = [&](const auto& chosen) {
     rows_.clear();
@@ -95,7 +128,7 @@ void Matcher::assign_rows(const TrackTable& table, Assignment& assignment) {
     }
     solver_.assign(costs_, rows_, CostMatrix::gated, assignment);
   };
-  if (hungarian->confirmed_first) {
+  if (hungarian != nullptr && hungarian->confirmed_first) {
     assign_those([](const OpenTrack& row) { return row.believed(); });
     assign_those([](const OpenTrack& row) { return !row.believed(); });
   } else {

@@ -94,6 +94,14 @@ void TrackTable::miss(int i) {
   refresh(i);
 }
 
+void TrackTable::restart(int i) {
+  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+  filters_->restart(i, row.seen_position, row.size_px());
+  row.step_px = {};
+  row.step_s = 0.0;
+  refresh(i);
+}
+
 int TrackTable::start(int detection, const Detections& detections) {
   const Detection& seen = detections.items[static_cast<std::size_t>(detection)];
   OpenTrack row;

@@ -38,6 +38,14 @@ def evaluate(
     iou: Annotated[
         float, typer.Option(help="Overlap from which a box matches (MOTA, IDF1), above 0 to 1.")
     ] = 0.5,
+    scale: Annotated[
+        str | None,
+        typer.Option(
+            metavar="X[,Y]",
+            help="Scale the truth's boxes by X across and Y down (the same without Y). Without it: "
+            "as a run.json beside TRACKS says that --resize scaled the frames.",
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Score tracks against true boxes: HOTA, MOTA, IDF1 and their parts, in percent (0 to 100).
@@ -45,7 +53,9 @@ def evaluate(
     Truth rows of confidence 0 are left out. Boxes that CVML calls inactive are don't-care.
     """
     chosen = _parse_frames(frames)
-    _print(evaluate_tracks(truth, tracks, frames=chosen, offset=offset, iou=iou), as_json)
+    by = _parse_scale(scale)
+    scores = evaluate_tracks(truth, tracks, frames=chosen, offset=offset, iou=iou, scale=by)
+    _print(scores, as_json)
 
 
 def evaluate_masks(
@@ -81,6 +91,18 @@ def _parse_frames(text: str | None) -> tuple[int, int] | None:
     if match is None:
         raise UsageError(f"--frames {text}: two frame numbers expected, such as 1-100")
     return int(match[1]), int(match[2])
+
+
+def _parse_scale(text: str | None) -> tuple[float, float] | None:
+    if text is None:
+        return None
+    try:
+        across, *down = (float(part) for part in text.split(","))
+    except ValueError:
+        across, down = math.nan, []
+    if math.isnan(across) or len(down) > 1:
+        raise UsageError(f"--scale {text}: one or two numbers expected, such as 0.5 or 0.5,0.4")
+    return across, down[0] if down else across
 
 
 def _print(scores: TrackScores | MaskScores, as_json: bool) -> None:

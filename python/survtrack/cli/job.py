@@ -135,6 +135,7 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "fps": source.fps,
         "fps_origin": source.fps_origin,
         "size": summary.size,
+        "original_size": source.original_size,
         "tracks": len(summary.track_ids),
         "events": summary.events,
         "seconds": round(summary.seconds, 6),

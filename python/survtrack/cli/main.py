@@ -15,6 +15,7 @@ from survtrack.cli.messages import exit_code, one_line, print_error
 from survtrack.cli.presets import presets
 from survtrack.cli.reproduce import reproduce
 from survtrack.cli.run import run
+from survtrack.cli.scene import scene
 from survtrack.cli.segment import segment
 
 TRACEBACK = "SURVTRACK_TRACEBACK"
@@ -31,6 +32,7 @@ app.command("link")(link)
 app.command("evaluate")(evaluate)
 app.command("evaluate-masks")(evaluate_masks)
 app.command("reproduce")(reproduce)
+app.command("scene")(scene)
 app.command("presets")(presets)
 
 

@@ -82,6 +82,11 @@ def run(
     )  # fmt: skip
     names = _view_names(video, views)
     resolved = resolve_config(request)
+    if "vicinity" in names and resolved.vicinity.model == "none":
+        raise UsageError(
+            "--views vicinity: shows a grid that this config does not have; choose one of the "
+            "narayana2007 presets, or add --set vicinity.model=grid"
+        )
     for output in {VIEW_OUTPUTS[name] for name in names if name in VIEW_OUTPUTS}:
         resolved.set(f"outputs.{output}=true")
     if matrix:

@@ -5,6 +5,7 @@
 from survtrack.drawing.blobs import BlobRenderer
 from survtrack.drawing.boxes import BoxRenderer
 from survtrack.drawing.colors import Color, color_of_id
+from survtrack.drawing.ends import LostContactRenderer
 from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.scene import Renderer, as_scene
 from survtrack.drawing.sheet import contact_sheet
@@ -18,6 +19,7 @@ __all__ = [
     "BlobRenderer",
     "BoxRenderer",
     "Color",
+    "LostContactRenderer",
     "MatrixRenderer",
     "Renderer",
     "TrailRenderer",

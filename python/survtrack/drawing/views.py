@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from survtrack.drawing.blobs import BlobRenderer
 from survtrack.drawing.boxes import BoxRenderer
 from survtrack.drawing.colors import BLACK
+from survtrack.drawing.ends import LostContactRenderer
 from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.scene import Renderer, Scene, as_scene, draw_label
 from survtrack.drawing.sheet import grid
@@ -45,7 +46,7 @@ class Views:
         self._names = tuple(names)
         self._renderers: dict[str, tuple[Renderer, ...]] = {
             "blobs": (BlobRenderer(),),
-            "tracks": (TrailRenderer(), BoxRenderer()),
+            "tracks": (TrailRenderer(), BoxRenderer(), LostContactRenderer()),
             "matrix": (MatrixRenderer(),),
             "vicinity": (VicinityRenderer(),),
         }

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""Which frames of the footage are scored."""
+"""Which frames of the footage are scored, and at which size they were processed."""
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -50,3 +51,32 @@ def processed_frames(run_file: Path) -> range:
         f"{run_file}: frames {json.dumps(entry)} contradict themselves (whole numbers from 1 with "
         f"last = first + (count - 1) * step expected); {advice}"
     )
+
+
+def given_scale(scale: tuple[float, float]) -> tuple[float, float]:
+    """The two scales, or a UsageError when they are not both finite and above 0."""
+    if not all(math.isfinite(part) and part > 0 for part in scale):
+        raise UsageError(f"scale {scale[0]:g}x{scale[1]:g}: both must be finite and above 0")
+    return scale
+
+
+def frame_scale(run_file: Path) -> tuple[float, float]:
+    """How much a run has scaled its frames (--resize), across and down; (1, 1) when it is not told.
+
+    Raises:
+        InputError: the sizes that the file names are none.
+    """
+    try:
+        facts: Any = json.loads(read_bytes(run_file))
+        size, original = facts["size"], facts["original_size"]
+    except (ValueError, KeyError, TypeError, RecursionError):
+        return 1.0, 1.0
+    if size is None or original is None:
+        return 1.0, 1.0
+    try:
+        scale = float(size[0]) / float(original[0]), float(size[1]) / float(original[1])
+        return given_scale(scale)
+    except (ValueError, KeyError, TypeError, IndexError, ZeroDivisionError, UsageError) as error:
+        raise InputError(
+            f'{run_file}: "size" and "original_size" are no two sizes in pixels; give --scale'
+        ) from error

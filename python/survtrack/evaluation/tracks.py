@@ -14,7 +14,13 @@ from survtrack.evaluation.clear import Clear, clear_scores
 from survtrack.evaluation.comparison import compare
 from survtrack.evaluation.counts import count_errors
 from survtrack.evaluation.files import StrPath
-from survtrack.evaluation.footage import RUN_FILE, given_range, processed_frames
+from survtrack.evaluation.footage import (
+    RUN_FILE,
+    frame_scale,
+    given_range,
+    given_scale,
+    processed_frames,
+)
 from survtrack.evaluation.hota import Hota, hota_scores
 from survtrack.evaluation.identity import Identity, identity_scores
 from survtrack.evaluation.readers import read_boxes
@@ -66,6 +72,8 @@ class TrackScores:
     last_frame: int = score("the last of them")
     offset: int = score("from a frame's number to the truth's")
     iou: float = score("overlap from which a box matches")
+    scale_x: float = score("the truth's boxes were scaled by this across")
+    scale_y: float = score("and by this down")
 
     def to_dict(self) -> dict[str, float | int]:
         """The scores by their published names (HOTA, IDF1, ...), the others by the fields'."""
@@ -79,6 +87,7 @@ def evaluate_tracks(
     frames: tuple[int, int] | None = None,
     offset: int = 0,
     iou: float = 0.5,
+    scale: tuple[float, float] | None = None,
 ) -> TrackScores:
     """Score tracks against truth; equal to TrackEval in every score that it has too.
 
@@ -94,11 +103,13 @@ def evaluate_tracks(
             counted from 1.
         iou: from 0 (excluded) to 1, the overlap from which a box matches, for the CLEAR and
             identity scores. HOTA averages over 19 thresholds of its own.
+        scale: the truth's boxes are scaled by this, across and down. None: as a `run.json` beside
+            the tracks' file says that the frames were (--resize); without one (1, 1).
 
     Raises:
         InputError: a file that cannot be used, an empty truth, tracks in frames that their
             `run.json` does not list.
-        UsageError: frames, offset or iou outside their range.
+        UsageError: frames, offset, iou or scale outside their range.
     """
     if not 0 < iou <= 1:
         raise UsageError(f"iou {iou}: must be above 0 and at most 1")
@@ -109,12 +120,21 @@ def evaluate_tracks(
     judged = tracks if isinstance(tracks, Boxes) else read_boxes(tracks)
     if judged.ignore.any():
         raise InputError("boxes of the tracks are marked `ignore`; only truth can be don't-care")
+    if scale is None:
+        scale = (1.0, 1.0) if isinstance(tracks, Boxes) else _told_scale(Path(tracks))
+    right = right if scale == (1.0, 1.0) else right.scaled(given_scale(scale))
     if chosen is None and not isinstance(tracks, Boxes):
         chosen = _listed_frames(Path(tracks), judged)
     if chosen is None:
         ends = [0, *(judged.frames.max(initial=0), right.frames.max(initial=0) - offset)]
         chosen = range(1, int(max(ends)) + 1)
-    return _scores(right, judged, chosen, offset, iou)
+    return _scores(right, judged, chosen, offset, iou, scale)
+
+
+def _told_scale(tracks: Path) -> tuple[float, float]:
+    """How much the run which wrote the tracks has scaled its frames, when it left word of it."""
+    run_file = tracks.parent / RUN_FILE
+    return frame_scale(run_file) if run_file.exists() else (1.0, 1.0)
 
 
 def _listed_frames(tracks: Path, boxes: Boxes) -> range | None:
@@ -132,7 +152,14 @@ def _listed_frames(tracks: Path, boxes: Boxes) -> range | None:
     return listed
 
 
-def _scores(truth: Boxes, tracks: Boxes, frames: range, offset: int, iou: float) -> TrackScores:
+def _scores(
+    truth: Boxes,
+    tracks: Boxes,
+    frames: range,
+    offset: int,
+    iou: float,
+    scale: tuple[float, float],
+) -> TrackScores:
     comparison = compare(truth, tracks, frames=frames, offset=offset, iou=iou)
     return TrackScores(
         **_percentages(hota_scores(comparison)),
@@ -149,6 +176,8 @@ def _scores(truth: Boxes, tracks: Boxes, frames: range, offset: int, iou: float)
         last_frame=frames.start + (len(frames) - 1) * frames.step,
         offset=offset,
         iou=iou,
+        scale_x=scale[0],
+        scale_y=scale[1],
     )
 
 

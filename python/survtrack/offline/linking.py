@@ -19,7 +19,17 @@ from survtrack.sinks.part_file import write_whole
 
 TRACKS_CSV = "tracks.csv"
 # What run.json of the linked tracks says as that of the run does.
-CARRIED = ("source", "preset", "complete", "error", "frames", "fps", "fps_origin", "size")
+CARRIED = (
+    "source",
+    "preset",
+    "complete",
+    "error",
+    "frames",
+    "fps",
+    "fps_origin",
+    "size",
+    "original_size",
+)
 
 
 def link_run(

@@ -18,7 +18,9 @@ class EventLines(TextSink):
     """One JSON object a line and event.
 
     Keys: frame (from 1, as in tracks.txt), time_s, kind, track_id, other_track_ids, position
-    [x, y] and box [left, top, width, height] in pixels, text. What does not apply is null.
+    [x, y] and box [left, top, width, height] in pixels, position_covariance_px2 [xx, xy, yy], place
+    (border, behind_object or open: where a track that ended was lost), text. What does not apply
+    is null.
     """
 
     def write(self, frame: "Frame", result: "FrameResult") -> None:
@@ -44,8 +46,15 @@ def event_as_dict(event: "Event") -> dict[str, object]:
         "other_track_ids": list(event.other_track_ids),
         "position": _numbers(*event.position) if concerns_track else None,
         "box": _numbers(box.x, box.y, box.width, box.height) if concerns_track else None,
+        "position_covariance_px2": _covariance(event) if concerns_track else None,
+        "place": None if event.place.name == "none" else event.place.name,
         "text": event.text,
     }
+
+
+def _covariance(event: "Event") -> list[float] | None:
+    matrix = event.position_covariance_px2
+    return _numbers(matrix[0, 0], matrix[0, 1], matrix[1, 1])
 
 
 def _numbers(*values: float) -> list[float] | None:

@@ -49,6 +49,7 @@ class ArraySource:
         self.fps = check_fps(fps) or DEFAULT_FPS
         self.selection = selection or Selection()
         self.size = resize
+        self.original_size: Size | None = None
         self.name = name
         self.frame_count_declared = len(frames) if isinstance(frames, Sized) else None
 
@@ -62,6 +63,7 @@ class ArraySource:
             expected = frame.shape
             if not self.selection.wants(index):
                 continue
+            self.original_size = (frame.shape[1], frame.shape[0])
             frame = resized(frame, self._resize)
             self.size = (frame.shape[1], frame.shape[0])
             yield index, index / self.fps, frame

@@ -38,6 +38,10 @@ class Source(Protocol):
         """(width, height) of the yielded frames in pixels; None until known."""
 
     @property
+    def original_size(self) -> Size | None:
+        """The same before they are scaled."""
+
+    @property
     def fps(self) -> float:
         """Nominal frames per second of the whole source (before step)."""
 

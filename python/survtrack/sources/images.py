@@ -58,7 +58,8 @@ class ImageSource:
         self._resize = check_resize(resize)
         first = read_image(self._files[self.selection.start])
         self._shape = first.shape
-        self.size = resize or (first.shape[1], first.shape[0])
+        self.original_size = (first.shape[1], first.shape[0])
+        self.size = resize or self.original_size
 
     def __iter__(self) -> Iterator[tuple[int, float, Frame]]:
         """Raises InputError that names the file which is broken or unlike the first."""

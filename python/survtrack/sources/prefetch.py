@@ -112,6 +112,11 @@ class Prefetch:
         return self._source.size
 
     @property
+    def original_size(self) -> Size | None:
+        """Of the source's."""
+        return self._source.original_size
+
+    @property
     def fps(self) -> float:
         """As the wrapped source."""
         return self._source.fps

@@ -77,6 +77,7 @@ class VideoSource:
         self.frame_count_declared = stream.frames or self._frames_in(self._declared_s)
         self.endless = is_camera(location) or (is_url(location) and not self._opened.duration)
         self.size = resize
+        self.original_size: Size | None = None
 
     def __iter__(self) -> Iterator[tuple[int, float, Frame]]:
         """Decode from the start.
@@ -133,6 +134,7 @@ class VideoSource:
         image = to_bgr.reformat(picture, format="bgr24").to_ndarray().astype(np.uint8, copy=False)
         if picture.rotation:
             image = np.ascontiguousarray(np.rot90(image, round(picture.rotation / 90)))
+        self.original_size = (image.shape[1], image.shape[0])
         image = resized(image, self._resize)
         self.size = (image.shape[1], image.shape[0])
         return image

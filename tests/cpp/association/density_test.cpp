@@ -83,19 +83,19 @@ TEST(Density, ATableWithoutMassIsRefused) {
 
 TEST(Density, AValueThatIsNoProbabilityIsRefusedByItsPlace) {
   for (const double bad : {-0.1, -1e-300, std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    EXPECT_TRUE(contains(refusal(5.0, {0.1, bad, 0.1}), "scene.x.values[1]: expected a finite number of at least 0"));
+    EXPECT_TRUE(contains(refusal(5.0, {0.1, bad, 0.1}), "scene.x.values[1]: is ", "expected a finite number of at least 0"));
   }
 }
 
 TEST(Density, ARangeThatIsNoLengthIsRefused) {
   for (const double bad : {0.0, -5.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_TRUE(contains(refusal(bad, {0.1, 0.1, 0.1}), "scene.x.range: expected a finite number above 0"));
+    EXPECT_TRUE(contains(refusal(bad, {0.1, 0.1, 0.1}), "scene.x.range: is ", "expected a finite number above 0"));
   }
 }
 
 TEST(Density, FewerThanThreeValuesAreRefused) {
-  EXPECT_TRUE(contains(refusal(1.0, {}), "scene.x.values: expected at least 3"));
-  EXPECT_TRUE(contains(refusal(1.0, {0.5, 0.5}), "scene.x.values: expected at least 3"));
+  EXPECT_TRUE(contains(refusal(1.0, {}), "scene.x.values: are ", "expected at least 3"));
+  EXPECT_TRUE(contains(refusal(1.0, {0.5, 0.5}), "scene.x.values: are ", "expected at least 3"));
 }
 
 }  // namespace

@@ -93,6 +93,17 @@ TEST(Process, AllocatesNothingInTheSteadyState) {
   }
 }
 
+TEST(Process, AllocatesNothingWithCleanupOverTimeAndByTiles) {
+  Config config = scene_config();
+  config.cleanup.temporal_median_frames = 3;
+  // Left and right alike: an object that grows at a cut may need more memory.
+  config.cleanup.tiling = QuadrantsOptions{.dilate_top_left_px = 14, .dilate_bottom_left_px = 15};
+  for (const Allocations& now : steady_state(config)) {
+    EXPECT_EQ(now.count, 0);
+    EXPECT_EQ(now.largest, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace survtrack
 

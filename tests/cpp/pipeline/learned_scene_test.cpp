@@ -235,7 +235,7 @@ TEST(LearnedScene, WhatIsNoJsonIsRefused) {
   for (const std::string& text : {std::string(), std::string("{"), std::string("\xff"), std::string("{\"scale\": nan}"),
                                   std::string("{\"scale\": 1e999}"), scene.substr(0, scene.size() / 2),
                                   scene.substr(0, scene.size() - 1), scene + "}"}) {
-    EXPECT_TRUE(contains(refusal(text), "yard.json: is not JSON"));
+    EXPECT_TRUE(contains(refusal(text), "yard.json: ", "expected a learned scene"));
   }
 }
 
@@ -289,7 +289,7 @@ const std::vector<Change>& spoilers() {
       {"yard.json.densities.x.values: the integral", [](Json& s) { s["densities"]["x"]["values"][200] = 1e3; }},
       {"yard.json.densities.size.values: have no mass",
        [](Json& s) { for (Json& value : s["densities"]["size"]["values"]) value = 0.0; }},
-      {"yard.json.densities.size.values: expected at least 3", [](Json& s) { s["densities"]["size"]["values"] = Json::array(); }},
+      {"yard.json.densities.size.values: are 0; expected at least 3", [](Json& s) { s["densities"]["size"]["values"] = Json::array(); }},
       {"yard.json.densities.size: has 3 values",
        [](Json& s) { s["densities"]["size"]["values"] = {0.0, 0.5, 0.0}; }},  // three bins over -3 to 3
   };

@@ -20,6 +20,8 @@ OTHER_CHOICES = {
     "free": "published",
     "bgr": "lab",
     "settling": "published_mean",
+    "square": "ellipse",
+    "continuous": "identity",
 }
 
 
@@ -35,7 +37,8 @@ def another(value: Any) -> Any:
     if isinstance(value, str):
         return OTHER_CHOICES[value]
     if isinstance(value, dict):
-        return survtrack.NoMergeOptions()
+        whole = survtrack.WholeFrameOptions()
+        return whole if value["model"] == "none" else survtrack.NoMergeOptions()
     if isinstance(value, int):
         return 3 if value != 3 else 5
     return value / 2 if value else 1.0

@@ -209,7 +209,8 @@ def test_boxes_far_apart_in_size_and_place_give_finite_numbers() -> None:
 
 def test_the_cost_matrix_has_tracks_as_rows() -> None:
     tracker = Tracker(survtrack.Config(outputs=survtrack.OutputOptions(cost_matrix=True)))
-    assert tracker.process([], 0.0).costs is None
+    assert tracker.process([], 0.0).costs.shape == (0, 0)
+    assert Tracker().process([], 0.0).costs is None
     for k in range(1, 20):
         result = tracker.process([*walk(k), [9000.0, 9000, 5, 5]], k / 10)
     assert result.costs.shape == (3, 3)

@@ -20,7 +20,16 @@ from survtrack.cli.presets import description
 from survtrack.cli.progress import progress_line, show_progress
 from survtrack.errors import UsageError
 
-COMMANDS = ("run", "segment", "link", "evaluate", "evaluate-masks", "presets")
+COMMANDS = (
+    "run",
+    "segment",
+    "link",
+    "evaluate",
+    "evaluate-masks",
+    "reproduce",
+    "scene",
+    "presets",
+)
 
 
 @pytest.fixture

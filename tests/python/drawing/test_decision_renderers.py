@@ -66,7 +66,7 @@ def test_what_does_not_fit_is_left_out(shape: tuple[int, int]) -> None:
 
 
 def test_a_frame_without_tracks_and_blobs_has_an_empty_table() -> None:
-    scene = MatrixRenderer().annotate(blank(), result_of(blank()))
+    scene = MatrixRenderer().annotate(blank(), result_of(blank(), costs=np.zeros((0, 0))))
     assert not pixels(scene, STRONG).any()
     assert not pixels(scene, TAKEN).any()
     assert (np.ptp(scene, axis=2) == 0).all()  # grey: no cell is coloured

@@ -15,7 +15,14 @@ import pytest
 from clips import walking_square, write_images
 from survtrack.cli.main import main
 from survtrack.experiments.narayana2007.measured import runs
-from survtrack.experiments.narayana2007.variants import FORMS, PRESETS, cells, mergings
+from survtrack.experiments.narayana2007.variants import (
+    CORRESPONDENCES,
+    FORMS,
+    PRESETS,
+    SCALED,
+    cells,
+    mergings,
+)
 
 WIDTH, HEIGHT, SIDE, STILL, COUNT = 128, 96, 10, 50, 90
 KEYS = ("HOTA", "MOTA", "IDF1", "number_of_blobs_errors", "index_errors", "swap_errors")
@@ -63,6 +70,10 @@ def test_results_hold_every_run_with_what_makes_it_again(made: Path) -> None:
     assert [run["name"] for run in one["presets"]] == list(PRESETS)
     assert len(one["combinations"]) == len(cells()) == 24
     assert [grid["form"] for grid in one["vicinity"]] == list(FORMS)
+    by_merging = [(grid["correspondence"], grid["merging"]) for grid in one["vicinity_by_merging"]]
+    assert by_merging == [(name, key) for name in CORRESPONDENCES for key in SCALED]
+    swept = {(run["correspondence"], run["scaled"]) for run in one["threshold_sweep"]}
+    assert swept == {(name, how) for name in CORRESPONDENCES for how in (False, True)}
     sweeps = one["break_point_sweep"] + one["threshold_sweep"]
     every = one["presets"] + one["combinations"] + sweeps
     for run in every:

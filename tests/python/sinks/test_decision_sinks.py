@@ -36,7 +36,7 @@ def test_a_line_names_rows_and_columns(tmp_path: Path) -> None:
     with MatrixLines(tmp_path / "matrices.jsonl") as sink:
         sink.write(FRAME, result)
         sink.write(FRAME, costs)
-        sink.write(FRAME, result_of(FRAME, 6))
+        sink.write(FRAME, result_of(FRAME, 6, costs=np.zeros((0, 0))))
     assert sink.outputs == ["matrices.jsonl"]
     lines = [json.loads(line) for line in (tmp_path / "matrices.jsonl").read_text().splitlines()]
     assert lines[0] == {

@@ -101,6 +101,8 @@ def test_events_are_one_json_object_a_line(tmp_path: Path) -> None:
             "other_track_ids": [5, 6],
             "position": [4.0, 5.5],
             "box": [1, 2, 6, 7],
+            "position_covariance_px2": [1.0, 0.0, 1.0],
+            "place": None,
             "text": "Track 3 started",
         },
         {
@@ -111,6 +113,8 @@ def test_events_are_one_json_object_a_line(tmp_path: Path) -> None:
             "other_track_ids": [],
             "position": None,
             "box": None,
+            "position_covariance_px2": None,
+            "place": None,
             "text": "Licht än",
         },
     ]

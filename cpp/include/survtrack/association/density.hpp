@@ -57,7 +57,8 @@ class DensityLearner {
   const Density& density() const { return density_; }
   double samples() const { return samples_; }
 
-  /// Goes on from a density that stood for `samples` differences. The number of bins and the range must be those of
+  /// Goes on from a density that stood for `samples` differences; one of fewer than `learn_after` takes the place of
+  /// the start. The number of bins and the range must be those of
   /// the start: throws `InputError`, naming `name`.
   void restore(const Density& learned, double samples, const std::string& name);
 

@@ -88,7 +88,21 @@ struct GaussianCostOptions {
   }
 };
 
-using CostOptions = std::variant<GaussianCostOptions, MatchMatrixOptions, BeliefOptions>;
+/// Cost of a pair: the distance from the predicted position (Semko 2007, IV.C.2).
+struct DistanceOptions {
+  static constexpr const char* model = "distance";
+  static constexpr const char* meaning = "distance from the predicted position (Semko 2007)";
+
+  double max_distance_px = 0.0;
+
+  static constexpr auto fields() {
+    using O = DistanceOptions;
+    return std::make_tuple(field("max_distance_px", &O::max_distance_px, "px",
+                                 "pairs further apart are refused; 0: none is", between(0, 1e6)));
+  }
+};
+
+using CostOptions = std::variant<GaussianCostOptions, MatchMatrixOptions, BeliefOptions, DistanceOptions>;
 
 /// Tracks in order of age, each takes its best detection still free (Narayana 2007, 3.5.4).
 struct OldestFirstOptions {
@@ -111,6 +125,15 @@ struct HungarianOptions {
   }
 };
 
-using AssignmentOptions = std::variant<HungarianOptions, OldestFirstOptions>;
+/// The contact monitor's published order (Semko 2007, IV.C.2): as long as there are as many detections as tracks, the
+/// first track gets the topmost one, and so on; otherwise the nearest, one to one.
+struct RowOrderOptions {
+  static constexpr const char* model = "row_order";
+  static constexpr const char* meaning =
+      "as many detections as tracks: from top to bottom, in order of age; else the optimal one (Semko 2007)";
+  static constexpr auto fields() { return std::make_tuple(); }
+};
+
+using AssignmentOptions = std::variant<HungarianOptions, OldestFirstOptions, RowOrderOptions>;
 
 }  // namespace survtrack

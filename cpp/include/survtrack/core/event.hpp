@@ -25,6 +25,17 @@ enum class EventKind : std::uint8_t {
 /// Name of a kind, as written to files: "track_started", ...
 const char* to_string(EventKind kind);
 
+/// Where a track was when it was seen last.
+enum class LostPlace : std::uint8_t {
+  none,           ///< the event is no loss
+  border,         ///< at the frame's border: it left
+  behind_object,  ///< beside or behind another track: occluded, or merged with it
+  open,           ///< with nothing near: it stopped, or went behind the scene
+};
+
+/// Name of a place, as written to files: "border", ...
+const char* to_string(LostPlace place);
+
 /// Something that happened in one frame.
 struct Event {
   EventKind kind = EventKind::track_started;
@@ -32,8 +43,9 @@ struct Event {
   double time_s = 0.0;
   std::int64_t track_id = 0;     ///< 0: concerns no track
   std::vector<std::int64_t> other_track_ids;
-  Point position;                ///< px, last position known
-  Box box;                       ///< last box known
+  Point position;                ///< px, last position known; of a track that ended the last one measured
+  Box box;                       ///< the same of its box
+  LostPlace place = LostPlace::none;  ///< of a track that ended: where it was lost
   Symmetric2 position_covariance_px2;
   std::string text;              ///< one readable sentence
 };

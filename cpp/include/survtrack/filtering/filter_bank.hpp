@@ -28,6 +28,8 @@ class FilterBank {
   /// Starts a filter at a measured position; returns its slot, size() - 1. `object_size_px` (root of the box
   /// area) is the unit of noises that are relative to the object's size.
   virtual int add(const Point& position, double object_size_px) = 0;
+  /// Starts a filter anew, as `add` does, in its slot.
+  virtual void restart(int slot, const Point& position, double object_size_px) = 0;
   /// Ends a filter; later slots move down by one.
   virtual void remove(int slot) = 0;
   virtual void clear() = 0;

@@ -18,6 +18,7 @@ class MeanVelocityBank final : public FilterBank {
 
   int size() const override { return static_cast<int>(slots_.size()); }
   int add(const Point& position, double object_size_px) override;
+  void restart(int slot, const Point& position, double object_size_px) override;
   void remove(int slot) override { slots_.erase(slots_.begin() + slot); }
   void clear() override { slots_.clear(); }
   void predict(double dt) override;
@@ -43,6 +44,7 @@ class MeanVelocityBank final : public FilterBank {
     double waited = 0.0;  ///< time units since `measured`
     std::deque<Step> steps;
   };
+  static Slot started_at(const Point& position);
   const Slot& at(int slot) const { return slots_[static_cast<std::size_t>(slot)]; }
 
   MeanVelocityOptions options_;

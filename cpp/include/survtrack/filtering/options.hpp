@@ -20,6 +20,15 @@ constexpr auto enum_names(NoiseUnit) {
   return std::array{std::pair{"object_size", NoiseUnit::object_size}, std::pair{"px", NoiseUnit::px}};
 }
 
+/// How a filter's process noise Q is made.
+enum class NoiseForm {
+  continuous,  ///< of white noise in the highest derivative: two half steps are one whole
+  identity,    ///< the same variance for every state: q^2 dt I (Semko 2007, IV.D)
+};
+constexpr auto enum_names(NoiseForm) {
+  return std::array{std::pair{"continuous", NoiseForm::continuous}, std::pair{"identity", NoiseForm::identity}};
+}
+
 /// Kalman filter with constant velocity. Lengths in `noise_unit`, times in the config's `time_unit_s`.
 struct KalmanCvOptions {
   static constexpr const char* model = "kalman_cv";
@@ -53,7 +62,9 @@ struct KalmanCaOptions {
 
   NoiseUnit noise_unit = NoiseUnit::object_size;
   double acceleration_noise = 0.4;
+  NoiseForm noise_form = NoiseForm::continuous;
   double position_noise = 0.06;
+  double initial_position = 0.0;
   double initial_velocity = 1.0;
   double initial_acceleration = 0.5;
 
@@ -63,8 +74,12 @@ struct KalmanCaOptions {
         field("noise_unit", &O::noise_unit, "", "the length that noises are measured in"),
         field("acceleration_noise", &O::acceleration_noise, "length/unit^2",
               "standard deviation of the acceleration gained or lost in one time unit (root of Q's density)", between(1e-6, 1e6)),
+        field("noise_form", &O::noise_form, "",
+              "how Q is made; identity: the square of acceleration_noise is the variance that each state gains in one time unit"),
         field("position_noise", &O::position_noise, "length", "standard deviation of a measured position (root of R)",
               between(1e-6, 1e6)),
+        field("initial_position", &O::initial_position, "length",
+              "standard deviation of a new track's position; 0: that of a measured one", between(0, 1e6)),
         field("initial_velocity", &O::initial_velocity, "length/unit", "standard deviation of a new track's velocity",
               between(0, 1e6)),
         field("initial_acceleration", &O::initial_acceleration, "length/unit^2",

@@ -21,6 +21,9 @@ class Lifecycle {
   /// One frame's decisions. The table's matched rows are already matched, the others missed; new tracks come
   /// from detections without a track. Closed tracks stay in the table, so that the result can show them.
   virtual void update(TrackTable& table, const Detections& detections, const Matches& matches) = 0;
+
+  /// Forgets what it remembers beside the tracks.
+  virtual void clear() {}
 };
 
 std::unique_ptr<Lifecycle> make_lifecycle(const LifecycleOptions& options);

@@ -31,14 +31,15 @@ class Matcher {
   const std::optional<BeliefCost>& belief() const { return belief_; }
 
  private:
-  void assign_rows(const TrackTable& table, Assignment& assignment);
+  void assign_rows(const TrackTable& table, const Detections& detections, Assignment& assignment);
+  void assign_in_row_order(const Detections& detections, Assignment& assignment);
 
   CostOptions cost_;
   AssignmentOptions assignment_;
   CostMatrix costs_;
   std::optional<BeliefCost> belief_;
   HungarianSolver solver_;
-  std::vector<int> rows_;  ///< those of one round
+  std::vector<int> rows_;  ///< those of one round; in row order: the detections
 };
 
 }  // namespace survtrack

@@ -85,7 +85,32 @@ struct LostCountOptions {
   }
 };
 
-using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions>;
+/// Contact monitoring (Semko 2007, IV.C.2; Suliman et al. 2010): there are as many contacts as the running median of the
+/// detections' count says. A missing contact is predicted until the median falls.
+struct CountMedianOptions {
+  static constexpr const char* model = "count_median";
+  static constexpr const char* meaning =
+      "as many tracks as the running median of the detections' count (Semko 2007, IV.C.2)";
+
+  int median_frames = 25;
+  int max_contacts = 10;
+  bool keep_contacts = false;
+  double restart_after_s = 0.0;
+
+  static constexpr auto fields() {
+    using O = CountMedianOptions;
+    return std::make_tuple(
+        field("median_frames", &O::median_frames, "frames", "length of the median of the count; 0 and 1: the count itself",
+              odd_up_to(99999)),
+        field("max_contacts", &O::max_contacts, "", "most tracks at a time", between(1, 100000)),
+        field("keep_contacts", &O::keep_contacts, "",
+              "a missing contact is predicted for ever, and the next newcomer is taken for it (Suliman et al. 2010)"),
+        field("restart_after_s", &O::restart_after_s, "s",
+              "a kept contact that was missing for longer starts anew where it is seen; 0: it never does", between(0, 1e6)));
+  }
+};
+
+using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions>;
 
 
 /// No vicinity factor is learned.

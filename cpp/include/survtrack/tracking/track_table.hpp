@@ -61,6 +61,8 @@ class TrackTable {
   /// Corrects row `i` by its detection.
   void match(int i, int detection, const Detections& detections);
   void miss(int i);
+  /// Forgets how row `i`, matched now, moved before: its filter starts anew where it is.
+  void restart(int i);
   /// A new tentative track at the end of the table.
   int start(int detection, const Detections& detections);
   /// Gives a tentative track its number: from here on it is believed.

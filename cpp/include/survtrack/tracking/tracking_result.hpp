@@ -23,6 +23,7 @@ struct TrackingResult {
   std::vector<Track> tentative;  ///< candidates, seen too few times to be believed
   Matches matches;             ///< its rows are those of the tracks open before this frame
   std::vector<Event> events;   ///< the detector's, then the tracker's
+  bool has_matrices = false;   ///< costs and beliefs were asked for
   CostMatrix costs;            ///< the whole matrix, when asked for
   CostMatrix beliefs;          ///< the same as probabilities, with a last column for "lost"; with cost.model belief
   std::vector<std::int64_t> matrix_track_ids;  ///< the rows of both; 0: tentative

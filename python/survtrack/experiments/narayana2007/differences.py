@@ -11,16 +11,15 @@ from survtrack.experiments.narayana2007.variants import (
     BREAK_POINTS,
     CORRESPONDENCES,
     FIXED_PX,
+    SCALED,
     THRESHOLDS_PX,
     fixed,
     mergings,
     scaled,
+    start_factor,
     with_break_point,
-    with_merging,
 )
 from survtrack.experiments.narayana2007.vicinity import ENOUGH_UPDATES
-
-SCALED = {"vicinity_published": "published base", "vicinity_preset": "preset's base"}
 
 
 @dataclass(frozen=True)
@@ -42,11 +41,13 @@ class Statement:
 
 def statements(measured: Measured) -> list[Statement]:
     """All claims, in the order of the thesis; computed, none is taken for granted."""
-    found = [_merging(measured)]
+    found = [_merging(measured, name) for name in CORRESPONDENCES]
     found += [_velocity(measured, name) for name in CORRESPONDENCES]
-    for key, name in SCALED.items():
-        found += _vicinity(measured, key, name)
-    return [*found, _sweep(measured), _bayesian(measured), _drift(measured)]
+    for key in SCALED:
+        for name in CORRESPONDENCES:
+            found += _vicinity(measured, name, key)
+    found += [_sweep(measured, name) for name in CORRESPONDENCES]
+    return [*found, _bayesian(measured), _drift(measured)]
 
 
 def _fewer(claim: str, before: int, after: int, more: str = "") -> Statement:
@@ -60,13 +61,13 @@ def _fewer(claim: str, before: int, after: int, more: str = "") -> Statement:
     )
 
 
-def _merging(measured: Measured) -> Statement:
-    best = _best_fixed(measured)
+def _merging(measured: Measured, correspondence: str) -> Statement:
+    best = measured.best_fixed(correspondence)
     return _fewer(
-        "merging by the best fixed threshold makes fewer number-of-blobs errors than none "
-        f"({_thesis('none')} to {_thesis('fixed_15')})",
-        _blobs(measured, "none"),
-        _blobs(measured, best),
+        "merging by the best fixed threshold makes fewer number-of-blobs errors than none, "
+        f"{correspondence} correspondence ({_thesis('none')} to {_thesis('fixed_15')}, Euclidean)",
+        measured.blobs(correspondence, "none"),
+        measured.blobs(correspondence, best),
         _threshold_of(best),
     )
 
@@ -96,38 +97,42 @@ def _velocity(measured: Measured, correspondence: str) -> Statement:
     )
 
 
-def _vicinity(measured: Measured, key: str, name: str) -> list[Statement]:
-    ours, best = _blobs(measured, key), _best_fixed(measured)
-    claim = f"the vicinity factor, {name}, makes fewer number-of-blobs errors than"
-    there = _thesis("vicinity_published")
-    none, fixed_best = _thesis("none"), _thesis("fixed_15")
+def _vicinity(measured: Measured, correspondence: str, key: str) -> list[Statement]:
+    ours, best = measured.blobs(correspondence, key), measured.best_fixed(correspondence)
+    none, fixed_best, there = map(_thesis, ("none", "fixed_15", "vicinity_published"))
+
+    def claim(before: str, counts: str) -> str:
+        return (
+            f"the vicinity factor, {SCALED[key]}, makes fewer number-of-blobs errors than "
+            f"{before}, {correspondence} correspondence ({counts}, Euclidean)"
+        )
+
     return [
-        _fewer(f"{claim} no merging ({none} to {there})", _blobs(measured, "none"), ours),
         _fewer(
-            f"{claim} the best fixed threshold ({fixed_best} to {there})",
-            _blobs(measured, best),
+            claim("no merging", f"{none} to {there}"),
+            measured.blobs(correspondence, "none"),
+            ours,
+        ),
+        _fewer(
+            claim("the best fixed threshold", f"{fixed_best} to {there}"),
+            measured.blobs(correspondence, best),
             ours,
             _threshold_of(best),
         ),
     ]
 
 
-def _sweep(measured: Measured) -> Statement:
-    errors = {
-        how: {
-            px: measured.trials[with_merging(how(px))].scores.number_of_blobs_errors
-            for px in THRESHOLDS_PX
-        }
-        for how in (fixed, scaled)
-    }
-    best = {how: min(swept, key=swept.__getitem__) for how, swept in errors.items()}
+def _sweep(measured: Measured, correspondence: str) -> Statement:
+    fixed_px, before = measured.best_threshold(correspondence, fixed)
+    scaled_px, after = measured.best_threshold(correspondence, scaled)
     return _fewer(
         f"of all thresholds from {THRESHOLDS_PX[0]} to {THRESHOLDS_PX[-1]} px, the best "
-        "vicinity-scaled one makes fewer number-of-blobs errors than the best fixed one "
-        "(the claim before, over a finer sweep)",
-        errors[fixed][best[fixed]],
-        errors[scaled][best[scaled]],
-        f"; fixed {best[fixed]} px, scaled {best[scaled]} px at the factor's start",
+        "vicinity-scaled one makes fewer number-of-blobs errors than the best fixed one, "
+        f"{correspondence} correspondence (the claims before, over a finer sweep)",
+        before,
+        after,
+        f"; fixed {fixed_px} px, scaled {scaled_px} px at the factor's start, which is a base of "
+        f"{scaled_px / start_factor():.1f} px",
     )
 
 
@@ -154,14 +159,6 @@ def _drift(measured: Measured) -> Statement:
         f"{settling} to {constant}",
         f"factors at a clamp in the end, Y and X of cells with {ENOUGH_UPDATES} updates: {told}",
     )
-
-
-def _blobs(measured: Measured, merging: str) -> int:
-    return measured.cell("Euclidean", merging, True).scores.number_of_blobs_errors
-
-
-def _best_fixed(measured: Measured) -> str:
-    return min((f"fixed_{px}" for px in FIXED_PX), key=lambda key: _blobs(measured, key))
 
 
 def _thesis(merging: str) -> int:

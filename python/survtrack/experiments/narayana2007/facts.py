@@ -18,8 +18,10 @@ from survtrack.experiments.narayana2007.variants import (
     scaled,
     with_break_point,
     with_form,
+    with_grid,
     with_merging,
 )
+from survtrack.experiments.narayana2007.vicinity import Learning
 from survtrack.experiments.trial import Variant
 from survtrack.sources.base import Size
 
@@ -51,7 +53,8 @@ def _facts_of_set(measured: Measured) -> dict[str, Any]:
         "combinations": _combinations(measured),
         "break_point_sweep": _break_points(measured),
         "threshold_sweep": _thresholds(measured),
-        "vicinity": [_vicinity(measured, form) for form in measured.learning],
+        "vicinity": _forms(measured),
+        "vicinity_by_merging": _grids(measured),
         "statements": [vars(statement) for statement in statements(measured)],
         "reasons": reasons(measured),
     }
@@ -97,20 +100,44 @@ def _break_points(measured: Measured) -> list[dict[str, Any]]:
 
 def _thresholds(measured: Measured) -> list[dict[str, Any]]:
     return [
-        {"scaled": how is scaled, "threshold_px": px, **_run(measured, with_merging(how(px)))}
+        {
+            "correspondence": name,
+            "scaled": how is scaled,
+            "threshold_px": px,  # of scaled ones: at the factor's start
+            **_run(measured, with_merging(name, how(px))),
+        }
+        for name in CORRESPONDENCES
         for how in (fixed, scaled)
         for px in THRESHOLDS_PX
     ]
 
 
-def _vicinity(measured: Measured, form: str) -> dict[str, Any]:
-    learning, variant = measured.learning[form], with_form(form)
+def _forms(measured: Measured) -> list[dict[str, Any]]:
+    return [
+        {"form": form, **_grid(measured, learning, with_form(form))}
+        for form, learning in measured.learning.items()
+    ]
+
+
+def _grids(measured: Measured) -> list[dict[str, Any]]:
+    return [
+        {
+            "correspondence": name,
+            "merging": key,
+            **_grid(measured, learning, with_grid(name, key)),
+        }
+        for (name, key), learning in measured.grids.items()
+    ]
+
+
+def _grid(measured: Measured, learning: Learning, variant: Variant) -> dict[str, Any]:
+    """What a grid learned, and what makes it again."""
     part, whole = learning.at_clamp()
     return {
-        "form": form,
         "preset": variant.preset,
         "set": variant.assignments(1 / measured.fps),
         "mean_factor": learning.mean_factor,
+        "mean_step_px": learning.mean_step_px,
         "factors_at_clamp": part,
         "factors_asked": whole,
         "updates": learning.updates.tolist(),

@@ -65,21 +65,27 @@ def _merging(measured: Measured) -> "Figure":
 
 
 def _threshold(measured: Measured) -> "Figure":
-    """Number-of-blobs errors over the merging threshold, fixed and scaled."""
-    figure = new_figure(3.2)
-    axes = figure.subplots()
-    for how, color, marker, label in (
-        (fixed, BLUE, "o", "fixed"),
-        (scaled, ORANGE, "s", f"base x vicinity factor, base = threshold / {start_factor():g}"),
-    ):
-        values = [_blobs(measured, measured.trials[with_merging(how(px))]) for px in THRESHOLDS_PX]
-        axes.plot(THRESHOLDS_PX, values, color=color, marker=marker, label=label)
-    none = _blobs(measured, measured.cell("Euclidean", "none", True))
-    axes.axhline(none, color=GREY, linestyle="--", label="no merging")
-    axes.set_xticks(range(0, max(THRESHOLDS_PX) + 1, 5))
-    axes.set_xlabel("threshold of merging, px")
-    axes.set_ylabel(BLOBS_LABEL)
-    _finish(figure, axes)
+    """Number-of-blobs errors over the merging threshold, fixed and scaled, a panel for each
+    correspondence."""
+    figure = new_figure(3.4)
+    panels = figure.subplots(1, len(CORRESPONDENCES), sharey=True)
+    start = f"{start_factor():g}"
+    for axes, name in zip(panels, CORRESPONDENCES, strict=True):
+        for how, color, marker, label in (
+            (fixed, BLUE, "o", "fixed"),
+            (scaled, ORANGE, "s", f"scaled: base x vicinity factor, base = threshold / {start}"),
+        ):
+            trials = [measured.trials[with_merging(name, how(px))] for px in THRESHOLDS_PX]
+            values = [_blobs(measured, trial) for trial in trials]
+            axes.plot(THRESHOLDS_PX, values, color=color, marker=marker, label=label)
+        none = _blobs(measured, measured.cell(name, "none", True))
+        axes.axhline(none, color=GREY, linestyle="--", label="no merging")
+        axes.set_xticks(range(0, max(THRESHOLDS_PX) + 1, 5))
+        axes.set_title(f"{name} correspondence", fontsize="medium")
+        axes.set_xlabel(f"threshold of merging, px\n(scaled: at the factor's start, {start})")
+        plain(axes)
+    panels[0].set_ylabel(BLOBS_LABEL)
+    _finish(figure, panels[0])
     return figure
 
 

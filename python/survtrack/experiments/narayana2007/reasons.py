@@ -5,9 +5,14 @@
 from survtrack.experiments.narayana2007.measured import Measured
 from survtrack.experiments.narayana2007.variants import (
     CORRESPONDENCES,
-    PUBLISHED_BASE_PX,
-    preset_base_px,
+    SCALED,
+    THRESHOLDS_PX,
+    fixed,
+    merging,
     preset_break_point,
+    scaled,
+    scaled_bases,
+    start_factor,
 )
 
 SLOW_FPS = 15.0  # below it, frames are further apart than the presets' 25 frames/s suppose
@@ -16,19 +21,16 @@ MANY = 0.1  # part of the instances from which a trait of the scene is worth a w
 
 def reasons(measured: Measured) -> list[str]:
     """Those that this set's own numbers support, in whole sentences."""
-    every = (_objects, _reach, _fragments, _undetected, _groups, _rate, _speed, _refusals)
-    return [text for text in (reason(measured) for reason in every) if text]
+    every = (_objects, _fragments, _undetected, _groups, _rate, _speed, _refusals)
+    found = [reason(measured) for reason in every]
+    found += [_vicinity(measured, name, key) for key in SCALED for name in CORRESPONDENCES]
+    return [text for text in found if text]
 
 
 def pieces(measured: Measured) -> float:
     """Reported tracks per true box without any merging: above 1 masks fall into fragments."""
     scores = measured.cell("Euclidean", "none", True).scores
     return scores.output_boxes / scores.truth_boxes
-
-
-def mean_factor(measured: Measured) -> float:
-    """Of the settling vicinity factor at the end."""
-    return measured.learning["settling"].mean_factor
 
 
 def _objects(measured: Measured) -> str:
@@ -40,21 +42,63 @@ def _objects(measured: Measured) -> str:
     )
 
 
-def _reach(measured: Measured) -> str:
-    factor, scene = mean_factor(measured), measured.scene
-    reach = PUBLISHED_BASE_PX * factor
-    none, base = (
-        measured.cell("Euclidean", key, True).scores.number_of_blobs_errors
-        for key in ("none", "vicinity_published")
+def _vicinity(measured: Measured, correspondence: str, key: str) -> str:
+    """Why the vicinity factor makes no fewer number-of-blobs errors here, and what would."""
+    ours = measured.blobs(correspondence, key)
+    before, rival = min(
+        (measured.blobs(correspondence, other), merging(other).label)
+        for other in ("none", measured.best_fixed(correspondence))
     )
-    if reach < scene.width_px or base <= none:
+    if ours <= before:
         return ""
+    base, learned = scaled_bases()[key], measured.grids[correspondence, key]
+    reach, scene = base * learned.mean_factor, measured.scene
+    best_fixed, _ = measured.best_threshold(correspondence, fixed)
     return (
-        f"The published base of {PUBLISHED_BASE_PX} px times a vicinity factor of {factor:.1f} on "
-        f"average at the end is {reach:.0f} px: {reach / scene.width_px:.1f} widths and "
+        f"{SCALED[key].capitalize()}, {correspondence} correspondence: {ours} number-of-blobs "
+        f"errors, {before} with merging {rival}. {_learned(measured, correspondence, key)} So "
+        f"{base:g} px reach {reach:.0f} px on average, {reach / scene.width_px:.1f} widths and "
         f"{reach / scene.height_px:.1f} heights of the median object, {scene.width_px:.0f} x "
-        f"{scene.height_px:.0f} px, so that neighbours of like colour become one; the preset's "
-        f"{preset_base_px():g} px reach {preset_base_px() * factor:.0f} px."
+        f"{scene.height_px:.0f} px; the best fixed threshold of the sweep is {best_fixed} px: "
+        f"{_too_far(reach, best_fixed)} {_remedy(measured, correspondence, before)}"
+    )
+
+
+def _learned(measured: Measured, correspondence: str, key: str) -> str:
+    """The factor here, and what the tracks of the other correspondence made of it."""
+    grids = {name: measured.grids[name, key] for name in CORRESPONDENCES}
+    [other] = [name for name in CORRESPONDENCES if name != correspondence]
+    told = {
+        name: f"{measured.cell(name, key, True).scores.output_ids} tracks, steps of "
+        f"{grid.mean_step_px:.1f} px per frame on average, a factor of {grid.mean_factor:.1f}"
+        for name, grid in grids.items()
+    }
+    text = f"Its grid learned from {told[correspondence]} ({other}: {told[other]})."
+    fewest, most = sorted(grids.values(), key=lambda grid: grid.mean_step_px)
+    limit = measured.scene.fast_step_px
+    if most.mean_step_px > limit and most.mean_factor < fewest.mean_factor:
+        text += (
+            f" 95 % of the true steps are at most {limit:.1f} px: longer ones, from object to "
+            "object, raise the scene's mean, which the factor is relative to, and so lower it."
+        )
+    return text
+
+
+def _too_far(reach: float, best_fixed: float) -> str:
+    if reach > best_fixed:
+        return "too far, so that neighbours of like colour become one."
+    return "not far enough for the pieces of an object."
+
+
+def _remedy(measured: Measured, correspondence: str, before: int) -> str:
+    """Which base of the sweep has fewer errors than `before`."""
+    px, errors = measured.best_threshold(correspondence, scaled)
+    if errors < before:
+        return f"A base of {px / start_factor():.1f} px would make the claim hold: {errors}."
+    bases = [THRESHOLDS_PX[at] / start_factor() for at in (0, -1)]
+    return (
+        f"No base of the sweep, {bases[0]:.1f} to {bases[1]:.1f} px, would make the claim hold; "
+        f"the best, {px / start_factor():.1f} px, has {errors}."
     )
 
 

@@ -26,8 +26,8 @@ Links = Mapping[str, Mapping[str, str]]
 PLOT_TEXTS = {
     "merging": "Number-of-blobs errors of every merging, velocity factor on; diamonds: the "
     "thesis's cars. Above 100 % there are more errors than true boxes.",
-    "threshold": "Number-of-blobs errors over the threshold of merging, Euclidean correspondence, "
-    "velocity factor on.",
+    "threshold": "Number-of-blobs errors over the threshold of merging, velocity factor on. "
+    "Scaled thresholds are those at the factor's start; later it is what the cells learned.",
     "break_point": "Index and swap errors over the break-point of the velocity factor, with the "
     "presets' merging. The axes do not start at 0.",
     "vicinity": "The vicinity factor in X of the busiest cells, by its form. The tracks are the "
@@ -74,7 +74,8 @@ def _what_was_run(every: list[Measured]) -> str:
 
 {tables.sets(every)}
 Object: median width x height of the true boxes as they were run. Overlapping: true boxes that
-overlap another one. Tracks per box: reported tracks per true box without merging.
+overlap another one. Tracks per box: reported tracks per true box without merging, Euclidean
+correspondence.
 
 - **Correspondence:** {names}.
 - **Velocity factor:** off, or with the presets' break-point, {preset_break_point():g} px per frame.
@@ -100,7 +101,7 @@ three percentages, here in square brackets).
 
 ### Number-of-blobs errors
 
-Euclidean correspondence, velocity factor on.
+Velocity factor on. The thesis has Euclidean correspondence.
 
 {tables.blobs(every)}
 ### Index and swap errors
@@ -162,6 +163,7 @@ def _details(measured: Measured, links: Mapping[str, str]) -> str:
 {tables.combinations(measured)}
 ### Vicinity factor
 
-Factors are means over the cells, weighted by their updates.
+Factors and steps, px per frame, are means over the cells, weighted by their updates. The first
+{len(measured.learning)} rows learned from the same tracks, the others from those of their own run.
 
 {tables.vicinity(measured)}"""

@@ -8,7 +8,15 @@ from survtrack.experiments.markdown import counted, table
 from survtrack.experiments.narayana2007 import published
 from survtrack.experiments.narayana2007.measured import Measured
 from survtrack.experiments.narayana2007.reasons import pieces
-from survtrack.experiments.narayana2007.variants import CORRESPONDENCES, PRESETS, cells, mergings
+from survtrack.experiments.narayana2007.variants import (
+    CORRESPONDENCES,
+    PRESETS,
+    cells,
+    merging,
+    mergings,
+    preset_base_px,
+    start_factor,
+)
 from survtrack.experiments.trial import Trial
 
 OFF_ON = {False: "off", True: "on"}
@@ -42,14 +50,13 @@ def sets(every: list[Measured]) -> str:
 def blobs(every: list[Measured]) -> str:
     """Number-of-blobs errors of every merging, the thesis's first."""
     rows = []
-    for way in mergings():
-        there = published.NUMBER_OF_BLOBS.get(way.key)
-        trials = [(one, one.cell("Euclidean", way.key, True)) for one in every]
-        ours = [
-            counted(trial.scores.number_of_blobs_errors, one.instances) for one, trial in trials
-        ]
-        rows.append([way.label, *(_thesis(there) if there else ("", "")), *ours])
-    return table(["merging", "thesis", "total", *_names(every)], rows)
+    for name in CORRESPONDENCES:
+        for way in mergings():
+            there = published.NUMBER_OF_BLOBS.get(way.key) if name == "Euclidean" else None
+            ours = [counted(one.blobs(name, way.key), one.instances) for one in every]
+            rows.append([name, way.label, *(_thesis(there) if there else ("", "")), *ours])
+    header = ["correspondence", "merging", "thesis", "total", *_names(every)]
+    return table(header, rows, left=2)
 
 
 def identities(every: list[Measured]) -> str:
@@ -98,12 +105,26 @@ def combinations(measured: Measured) -> str:
 
 
 def vicinity(measured: Measured) -> str:
-    """Where the forms of the vicinity factor have gone."""
+    """Where the vicinity factor has gone, by its form and by the tracks that it learned from."""
+    common = preset_base_px() * start_factor()
+    learned = {
+        (f"`{form}`", "Euclidean", f"fixed, {common:g} px"): learning
+        for form, learning in measured.learning.items()
+    }
+    learned |= {
+        ("`settling`", name, merging(key).label): learning
+        for (name, key), learning in measured.grids.items()
+    }
     rows = []
-    for form, learning in measured.learning.items():
+    for words, learning in learned.items():
         part, whole = learning.at_clamp()
-        rows.append([f"`{form}`", f"{learning.mean_factor:.2f}", f"{part} of {whole}"])
-    return table(["form", "mean factor at the end", "factors at a clamp"], rows)
+        numbers = (f"{learning.mean_factor:.2f}", f"{learning.mean_step_px:.1f}")
+        rows.append([*words, *numbers, f"{part} of {whole}"])
+    header = [
+        "form", "correspondence", "merging", "mean factor at the end", "mean step, px",
+        "factors at a clamp",
+    ]  # fmt: skip
+    return table(header, rows, left=3)
 
 
 def _scores(measured: Measured, trial: Trial) -> list[str]:

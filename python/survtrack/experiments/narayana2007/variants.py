@@ -16,8 +16,9 @@ PRESETS = {
 FIXED_PX = (10, 15, 20)  # the thesis's thresholds, 5 and 7
 PUBLISHED_BASE_PX = 10  # 6.4
 BREAK_POINTS = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30)  # px per frame
-THRESHOLDS_PX = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20)
+THRESHOLDS_PX = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30)
 FORMS = ("settling", "published_mean", "published_constant")
+SCALED = {"vicinity_published": "published base", "vicinity_preset": "preset's base"}
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ def preset_base_px() -> float:
 
 
 def start_factor() -> float:
-    """Where the vicinity factor starts, and what it is on average when it settles (6.1)."""
+    """Where the vicinity factor of each cell starts (6.1); where it goes, the tracks decide."""
     vicinity = survtrack.preset(EUCLIDEAN).vicinity
     assert isinstance(vicinity, survtrack.GridVicinityOptions)
     return (1 + vicinity.max_factor) / 2
@@ -79,6 +80,17 @@ def mergings() -> list[Merging]:
     ]
 
 
+def merging(key: str) -> Merging:
+    """One of mergings(), by its key."""
+    [found] = [one for one in mergings() if one.key == key]
+    return found
+
+
+def scaled_bases() -> dict[str, float]:
+    """The bases of the vicinity-scaled mergings, px, by their keys."""
+    return {"vicinity_published": PUBLISHED_BASE_PX, "vicinity_preset": preset_base_px()}
+
+
 def cells() -> list[Cell]:
     """Every combination."""
     return [
@@ -100,7 +112,8 @@ def scaled(threshold_px: float) -> tuple[str, ...]:
 
 
 def _thresholds(px: float) -> tuple[str, ...]:
-    return (f"blobs.merge.threshold_y_px={px!r}", f"blobs.merge.threshold_x_px={px!r}")
+    value = float(px)
+    return (f"blobs.merge.threshold_y_px={value!r}", f"blobs.merge.threshold_x_px={value!r}")
 
 
 def with_break_point(correspondence: str, px: float) -> Variant:
@@ -108,9 +121,9 @@ def with_break_point(correspondence: str, px: float) -> Variant:
     return Variant(CORRESPONDENCES[correspondence], (f"cost.velocity_break_point={px!r}",))
 
 
-def with_merging(changes: tuple[str, ...]) -> Variant:
-    """The Euclidean preset with another merging."""
-    return Variant(EUCLIDEAN, changes)
+def with_merging(correspondence: str, changes: tuple[str, ...]) -> Variant:
+    """A preset with another merging."""
+    return Variant(CORRESPONDENCES[correspondence], changes)
 
 
 def with_form(form: str) -> Variant:
@@ -119,9 +132,19 @@ def with_form(form: str) -> Variant:
     return Variant(EUCLIDEAN, (*fixed(fixed_px), f"vicinity.form={form}", "outputs.vicinity=true"))
 
 
+def with_grid(correspondence: str, key: str) -> Variant:
+    """A vicinity-scaled merging whose results hold the grid: each learns from its own tracks."""
+    return with_merging(correspondence, (*merging(key).changes, "outputs.vicinity=true"))
+
+
 def scored() -> list[Variant]:
     """All that are scored, each once."""
     every = [cell.variant for cell in cells()] + list(PRESETS.values())
     every += [with_break_point(name, px) for name in CORRESPONDENCES for px in BREAK_POINTS]
-    every += [with_merging(how(px)) for how in (fixed, scaled) for px in THRESHOLDS_PX]
+    every += [
+        with_merging(name, how(px))
+        for name in CORRESPONDENCES
+        for how in (fixed, scaled)
+        for px in THRESHOLDS_PX
+    ]
     return list(dict.fromkeys(every))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""How each form of the vicinity factor (6) learns over the frames of a set."""
+"""How the vicinity factor (6) learns over the frames of a set."""
 
 from dataclasses import dataclass
 
@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from survtrack.experiments.footage import Footage
-from survtrack.experiments.narayana2007.variants import with_form
-from survtrack.experiments.trial import results_of
+from survtrack.experiments.trial import Variant, results_of
 
 ENOUGH_UPDATES = 20  # of a cell, to be asked where its factor has gone
 _ROUNDING = 1e-6
@@ -17,17 +16,19 @@ _ROUNDING = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Learning:
-    """The grids of one form.
+    """The grids of one run.
 
     Attributes:
         factor_y, factor_x: (frames, rows, columns), after each frame.
         updates: (rows, columns), displacements learned by the end.
+        step_px: (rows, columns), their mean lengths, px per frame.
         max_factor: the upper clamp; the lower is 1.
     """
 
     factor_y: NDArray[np.float64]
     factor_x: NDArray[np.float64]
     updates: NDArray[np.int64]
+    step_px: NDArray[np.float64]
     max_factor: float
 
     def busiest(self, count: int) -> list[tuple[int, int]]:
@@ -45,6 +46,13 @@ class Learning:
         both = (self.factor_y[-1] + self.factor_x[-1]) / 2
         return float(np.average(both, weights=self.updates))
 
+    @property
+    def mean_step_px(self) -> float:
+        """Mean length of what it learned from, each cell by its updates; 0 without any."""
+        if not self.updates.any():
+            return 0.0
+        return float(np.average(self.step_px, weights=self.updates))
+
     def at_clamp(self) -> tuple[int, int]:
         """How many factors, Y and X, stand at a clamp in the end, and of how many.
 
@@ -56,14 +64,15 @@ class Learning:
         return int(clamped.sum()), len(factors)
 
 
-def learn(footage: Footage, form: str) -> Learning:
-    """Run one form on a set."""
-    config = with_form(form).config(footage.frame_period_s)
+def learn(footage: Footage, variant: Variant) -> Learning:
+    """Run a configuration with outputs.vicinity on a set."""
+    config = variant.config(footage.frame_period_s)
     # The key -1 is the only class: nothing here classifies blobs.
     grids = [result.vicinity[-1] for result in results_of(footage, config)]
     return Learning(
         factor_y=np.array([grid.factor_y for grid in grids]),
         factor_x=np.array([grid.factor_x for grid in grids]),
         updates=np.array(grids[-1].updates, dtype=np.int64),
+        step_px=np.array(grids[-1].mean_step_px),
         max_factor=grids[-1].max_factor,
     )
