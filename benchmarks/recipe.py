@@ -8,6 +8,8 @@ from its input, a JSON object, and answers each with one:
     {"do": "versions"}
     {"do": "time", "model", "video", "size": [w, h], "count", "fps"} -> {"seconds"}, for all frames
     {"do": "track", "model", "video", "fps"} -> {"rows"}: frame from 1, id, left, top, width, height
+    {"do": "flow", "video", "size", "count", "smoothness", "sweeps"} -> {"seconds"}, of the thread,
+        for the flow from the first frame to the last
 """
 
 import json
@@ -15,11 +17,12 @@ import sys
 from collections.abc import Iterable, Iterator
 from functools import cache
 from importlib.metadata import version
-from time import perf_counter
+from time import perf_counter, thread_time
 from typing import Any
 
 import cv2
 import numpy as np
+import pyoptflow
 import supervision
 import trackers
 from frames import Frame, frames_of
@@ -74,6 +77,12 @@ def answer(request: dict[str, Any]) -> dict[str, Any]:
         for _ in run(request["model"], frames, request["fps"]):
             pass
         return {"seconds": perf_counter() - began}
+    if request["do"] == "flow":
+        film = in_memory(request["video"], tuple(request["size"]), request["count"])
+        greys = [cv2.cvtColor(film[k], cv2.COLOR_BGR2GRAY) / 255 for k in (0, -1)]
+        began = thread_time()
+        pyoptflow.HornSchunck(*greys, alpha=request["smoothness"], Niter=request["sweeps"])
+        return {"seconds": thread_time() - began}
     rows = []
     tracked = run(request["model"], frames_of(request["video"]), request["fps"])
     for number, found in enumerate(tracked, start=1):

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import cv2
+import flow
 from accuracy import measure_masks, measure_tracks
 from peers import Peers
 from speed import measure
@@ -21,6 +22,7 @@ from speed import measure
 import survtrack
 
 Row = dict[str, Any]
+PARTS = ("speed", "accuracy", "flow")
 
 
 def arguments() -> argparse.Namespace:
@@ -29,7 +31,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--video", type=Path, required=True, help="footage for the speed rows")
     parser.add_argument("--frames", type=int, default=200, help="frames a round")
     parser.add_argument("--rounds", type=int, default=7, help="rounds, of which the median counts")
-    parser.add_argument("--only", choices=["speed", "accuracy"], help="leave the others out")
+    parser.add_argument("--only", choices=PARTS, help="leave the others out")
     parser.add_argument("--json", type=Path, metavar="FILE", help="also write the results there")
     return parser.parse_args()
 
@@ -78,17 +80,25 @@ def main() -> None:
     with Peers(asked.peers) as peers:
         results["machine"] = machine(peers)
         print(", ".join(f"{key} {value}" for key, value in results["machine"].items()))
-        if asked.only != "accuracy":
+        if asked.only in (None, "speed"):
             results["speed"] = measure(peers, str(asked.video), asked.frames, asked.rounds)
             title = f"Speed: one thread, {asked.frames} frames in memory, median of {asked.rounds}"
             print_table(title, results["speed"])
-        if asked.only != "speed":
+        if asked.only in (None, "accuracy"):
             data = Path(os.environ.get("SURVTRACK_DATA", "SURVTRACK_DATA-is-not-set"))
             results["tracks"], no_tracks = measure_tracks(peers, data)
             print_table("Tracks: vtest.avi against PETS09-S2L1, IoU 0.5", results["tracks"])
             results["masks"], no_masks = measure_masks(data)
             print_table("Masks: F, each after a 5x5 median", results["masks"])
             for missing in (*no_tracks, *no_masks):
+                print(f"left out: {missing} is missing (SURVTRACK_DATA names the folder)")
+        if asked.only in (None, "flow"):
+            results["flow_speed"] = flow.measure_speed(peers, str(asked.video), asked.rounds)
+            title = f"Horn-Schunck flow: one thread, processor time, median of {asked.rounds}"
+            print_table(title, results["flow_speed"])
+            results["flow"], no_flow = flow.measure_accuracy()
+            print_table("Flow: Middlebury's pairs, mean endpoint error", results["flow"])
+            for missing in no_flow:
                 print(f"left out: {missing} is missing (SURVTRACK_DATA names the folder)")
     if asked.json:
         asked.json.write_text(json.dumps(results, indent=2) + "\n")

@@ -44,6 +44,17 @@ py::array array_of_image(const cv::Mat& image) {
   return py::array_t<std::uint8_t>({rows, cols, channels}, {step, channels, py::ssize_t{1}}, owner->data, base);
 }
 
+py::array_t<float> array_of_field(const cv::Mat& field) {
+  auto* owner = new cv::Mat(field);
+  const py::capsule base(owner, [](void* pointer) { delete static_cast<cv::Mat*>(pointer); });
+  const auto rows = static_cast<py::ssize_t>(field.rows), cols = static_cast<py::ssize_t>(field.cols);
+  const auto step = static_cast<py::ssize_t>(field.step[0]), channels = static_cast<py::ssize_t>(field.channels());
+  constexpr auto one = static_cast<py::ssize_t>(sizeof(float));
+  const auto* numbers = owner->ptr<float>();
+  if (channels == 1) return py::array_t<float>({rows, cols}, {step, one}, numbers, base);
+  return py::array_t<float>({rows, cols, channels}, {step, channels * one, one}, numbers, base);
+}
+
 py::array_t<double> array_of(const Symmetric2& m) {
   py::array_t<double> array({2, 2});
   auto a = array.mutable_unchecked<2>();

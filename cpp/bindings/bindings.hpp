@@ -27,6 +27,9 @@ ImageView view_of_image(const py::object& array, const char* name);
 /// An array over the pixels of `image`, which it keeps alive: HxW or HxWxC uint8.
 py::array array_of_image(const cv::Mat& image);
 
+/// An array over float32 numbers, which it keeps alive: HxW or HxWxC.
+py::array_t<float> array_of_field(const cv::Mat& field);
+
 inline py::typing::Tuple<double, double> tuple_of(const Point& p) { return py::make_tuple(p.x, p.y); }
 inline py::typing::Tuple<double, double, double> tuple_of(const Color& c) {
   return py::make_tuple(c.blue, c.green, c.red);
@@ -39,6 +42,7 @@ void bind_values(py::module_& module);
 void bind_results(py::module_& module);
 void bind_segmentation(py::module_& module);
 void bind_tiling(py::module_& module);
+void bind_flow(py::module_& module);
 void bind_filtering(py::module_& module);
 void bind_association(py::module_& module);
 void bind_pipeline(py::module_& module);

@@ -32,6 +32,7 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_results(module);
   bindings::bind_segmentation(module);
   bindings::bind_tiling(module);
+  bindings::bind_flow(module);
   bindings::bind_filtering(module);
   bindings::bind_association(module);
   bindings::bind_pipeline(module);

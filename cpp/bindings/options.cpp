@@ -10,6 +10,7 @@ namespace survtrack::bindings {
 void bind_options(py::module_& module) {
   bind_model_options<SelectiveOptions>(module, "SelectiveOptions");
   bind_model_options<MovingAverageOptions>(module, "MovingAverageOptions");
+  bind_model_options<HornSchunckOptions>(module, "HornSchunckOptions");
   bind_model_options<Mog2Options>(module, "Mog2Options");
   bind_model_options<KnnOptions>(module, "KnnOptions");
   bind_model_options<NoTilingOptions>(module, "NoTilingOptions");

@@ -112,6 +112,15 @@ Detections detections_of_boxes(const py::object& boxes, double time_s, std::int6
 
 namespace {
 
+/// None for an empty one.
+py::typing::Optional<py::array_t<float>> optional_field(const cv::Mat& field) {
+  if (field.empty()) return py::none();
+  return array_of_field(field);
+}
+constexpr const char* flow_doc =
+    "The flow field, HxWx2 float32, px to the right and down, with config.outputs.flow; else None, as in the first\n"
+    "frames, which have none.";
+
 void bind_detections(py::module_& module) {
   py::class_<PyDetections>(module, "Detections", "All detections of one frame: a sequence of Detection.")
       .def(py::init([](const py::object& boxes, double time_s, std::int64_t index, const py::object& confidences,
@@ -146,6 +155,7 @@ void bind_detections(py::module_& module) {
       .def_property_readonly("background", [](const PyDetections& d) -> py::object {
         return d.value.background.empty() ? py::object(py::none()) : array_of_image(d.value.background);
       }, "The background picture, with config.outputs.background; else None.")
+      .def_property_readonly("flow", [](const PyDetections& d) { return optional_field(d.value.flow); }, flow_doc)
       .def_property_readonly("contours", [](const PyDetections& d) {
         py::typing::List<py::array_t<std::int32_t>> contours;
         for (const auto& contour : d.value.contours) {
@@ -222,6 +232,7 @@ void bind_results(py::module_& module) {
         const cv::Mat& picture = r.value.detections.background;
         return picture.empty() ? py::object(py::none()) : array_of_image(picture);
       }, "The background picture, with config.outputs.background; else None.")
+      .def_property_readonly("flow", [](const PyFrameResult& r) { return optional_field(r.value.detections.flow); }, flow_doc)
       .def_property_readonly("detections", [](const PyFrameResult& r) { return PyDetections{r.value.detections}; },
                              "The frame's detections, a sequence.")
       .def_property_readonly("detection_array",

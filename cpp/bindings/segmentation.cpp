@@ -50,7 +50,15 @@ py::array background(const PySegmenter& self) {
   if (self.channels == 0) throw InputError("background: no frame was segmented yet");
   cv::Mat picture;
   self.model->background(picture);
+  if (picture.empty()) throw InputError("background: this model has none");
   return array_of_image(picture);
+}
+
+py::typing::Optional<py::array_t<float>> flow(const PySegmenter& self) {
+  cv::Mat field;
+  self.model->flow(field);
+  if (field.empty()) return py::none();
+  return array_of_field(field);
 }
 
 py::array clean_mask(const py::object& mask, const CleanupOptions& options) {
@@ -83,6 +91,7 @@ void bind_segmentation(py::module_& module) {
            "One frame on: frame is HxW or HxWx3 (BGR) uint8, time_s increases. Returns the mask before cleanup, HxW\n"
            "uint8, 0 or 255. Raises InputError and then keeps its state.")
       .def("background", &background, "The background picture, uint8 of the frame's size.")
+      .def("flow", &flow, "The last flow field, HxWx2 float32, px to the right and down; None while there is none.")
       .def("reset", [](PySegmenter& self) {
         self.model->reset();
         self.channels = 0;

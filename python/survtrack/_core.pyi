@@ -41,6 +41,7 @@ __all__: list[str] = [
     "GridVicinityOptions",
     "History",
     "HistoryRecorder",
+    "HornSchunckOptions",
     "HungarianOptions",
     "KalmanCaOptions",
     "KalmanCvOptions",
@@ -77,6 +78,7 @@ __all__: list[str] = [
     "assign_oldest_first",
     "clean_mask",
     "find_blobs",
+    "horn_schunck",
     "iou",
     "link_tracks",
     "match_matrix",
@@ -686,6 +688,91 @@ class MovingAverageOptions:
         """
     @window_frames.setter
     def window_frames(self, value: typing.Never) -> None: ...
+
+class HornSchunckOptions:
+    """
+    optical flow (Horn and Schunck 1981): what moved since some frames before.
+
+    Args:
+        frames_back: N: the flow is that since the N-th frame before; the first N frames have none and an empty mask [frames]; between 1 and 1000
+        smoothness: a: weight of a smooth field, for grey levels in 0 to 1; between 0.0001 and 1000
+        sweeps: iterations, at most; between 1 and 100000
+        tolerance: no more sweeps when one changes nothing by as much; 0: never [px]; between 0 and 1000000
+        derivatives: cubes of 2 x 2 x 2 as published, or Sobel's kernels; one of "hs1981" "sobel"
+        magnitude_threshold: foreground moves by more between the two frames [px]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "horn_schunck"
+    def __copy__(self) -> HornSchunckOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> HornSchunckOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        frames_back: int = 10,
+        smoothness: float = 0.5,
+        sweeps: int = 10,
+        tolerance: float = 0.0,
+        derivatives: str = "hs1981",
+        magnitude_threshold: float = 0.03,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> HornSchunckOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def derivatives(self) -> str:
+        """
+        cubes of 2 x 2 x 2 as published, or Sobel's kernels
+        """
+    @derivatives.setter
+    def derivatives(self, value: typing.Never) -> None: ...
+    @property
+    def frames_back(self) -> int:
+        """
+        N: the flow is that since the N-th frame before; the first N frames have none and an empty mask [frames]
+        """
+    @frames_back.setter
+    def frames_back(self, value: typing.Never) -> None: ...
+    @property
+    def magnitude_threshold(self) -> float:
+        """
+        foreground moves by more between the two frames [px]
+        """
+    @magnitude_threshold.setter
+    def magnitude_threshold(self, value: typing.Never) -> None: ...
+    @property
+    def smoothness(self) -> float:
+        """
+        a: weight of a smooth field, for grey levels in 0 to 1
+        """
+    @smoothness.setter
+    def smoothness(self, value: typing.Never) -> None: ...
+    @property
+    def sweeps(self) -> int:
+        """
+        iterations, at most
+        """
+    @sweeps.setter
+    def sweeps(self, value: typing.Never) -> None: ...
+    @property
+    def tolerance(self) -> float:
+        """
+        no more sweeps when one changes nothing by as much; 0: never [px]
+        """
+    @tolerance.setter
+    def tolerance(self, value: typing.Never) -> None: ...
 
 class Mog2Options:
     """
@@ -2241,6 +2328,7 @@ class OutputOptions:
         contours: the outer contour of every blob
         cost_matrix: the whole matrix of costs, tracks by detections, and that of beliefs; at most a million entries
         vicinity: the vicinity grids, with vicinity.model grid
+        flow: the flow field of every frame, with segmenter.model horn_schunck
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -2255,6 +2343,7 @@ class OutputOptions:
         contours: bool = False,
         cost_matrix: bool = False,
         vicinity: bool = False,
+        flow: bool = False,
     ) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
@@ -2290,6 +2379,13 @@ class OutputOptions:
         """
     @cost_matrix.setter
     def cost_matrix(self, value: typing.Never) -> None: ...
+    @property
+    def flow(self) -> bool:
+        """
+        the flow field of every frame, with segmenter.model horn_schunck
+        """
+    @flow.setter
+    def flow(self, value: typing.Never) -> None: ...
     @property
     def vicinity(self) -> bool:
         """
@@ -2335,7 +2431,11 @@ class Config:
         self,
         *,
         time_unit_s: float = 1.0,
-        segmenter: SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions = ...,
+        segmenter: SelectiveOptions
+        | MovingAverageOptions
+        | HornSchunckOptions
+        | Mog2Options
+        | KnnOptions = ...,
         cleanup: CleanupOptions = ...,
         blobs: BlobOptions = ...,
         filter: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions = ...,
@@ -2446,13 +2546,20 @@ class Config:
     @outputs.setter
     def outputs(self, value: OutputOptions) -> None: ...
     @property
-    def segmenter(self) -> SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions:
+    def segmenter(
+        self,
+    ) -> SelectiveOptions | MovingAverageOptions | HornSchunckOptions | Mog2Options | KnnOptions:
         """
         frame to foreground mask
         """
     @segmenter.setter
     def segmenter(
-        self, value: SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions
+        self,
+        value: SelectiveOptions
+        | MovingAverageOptions
+        | HornSchunckOptions
+        | Mog2Options
+        | KnnOptions,
     ) -> None: ...
     @property
     def time_unit_s(self) -> float:
@@ -2511,6 +2618,12 @@ class Detections:
     def events(self) -> list[Event]:
         """
         Raised by the detector.
+        """
+    @property
+    def flow(self) -> numpy.typing.NDArray[numpy.float32] | None:
+        """
+        The flow field, HxWx2 float32, px to the right and down, with config.outputs.flow; else None, as in the first
+        frames, which have none.
         """
     @property
     def frame_size(self) -> tuple[int, int]:
@@ -2626,6 +2739,12 @@ class FrameResult:
         The detector's, then the tracker's.
         """
     @property
+    def flow(self) -> numpy.typing.NDArray[numpy.float32] | None:
+        """
+        The flow field, HxWx2 float32, px to the right and down, with config.outputs.flow; else None, as in the first
+        frames, which have none.
+        """
+    @property
     def frame(self) -> typing.Any:
         """
         The frame: the array given to process, or a copy of it when the pipeline has a delay.
@@ -2678,7 +2797,12 @@ class Segmenter:
     A background model alone: frame in, raw foreground mask out.
     """
     def __init__(
-        self, options: SelectiveOptions | MovingAverageOptions | Mog2Options | KnnOptions = ...
+        self,
+        options: SelectiveOptions
+        | MovingAverageOptions
+        | HornSchunckOptions
+        | Mog2Options
+        | KnnOptions = ...,
     ) -> None:
         """
         Raises ConfigError.
@@ -2686,6 +2810,10 @@ class Segmenter:
     def background(self) -> numpy.ndarray:
         """
         The background picture, uint8 of the frame's size.
+        """
+    def flow(self) -> numpy.typing.NDArray[numpy.float32] | None:
+        """
+        The last flow field, HxWx2 float32, px to the right and down; None while there is none.
         """
     def reset(self) -> None:
         """
@@ -3169,6 +3297,43 @@ def find_blobs(
 ) -> Detections:
     """
     The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size).
+    """
+
+def horn_schunck(
+    previous: typing.Any,
+    current: typing.Any,
+    *,
+    smoothness: typing.SupportsFloat | typing.SupportsIndex = 0.05,
+    sweeps: typing.SupportsInt | typing.SupportsIndex = 100,
+    tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+    derivatives: str = "hs1981",
+    initial: typing.Any = None,
+    levels: typing.SupportsInt | typing.SupportsIndex = 1,
+    warps: typing.SupportsInt | typing.SupportsIndex = 0,
+) -> tuple[numpy.typing.NDArray[numpy.float32], numpy.typing.NDArray[numpy.float32]]:
+    """
+    Optical flow (u, v) from previous to current: how far each pixel moves to the right and down, px a frame
+    pair, float32 HxW (Horn and Schunck, Determining optical flow, 1981). One thread.
+
+    Each sweep gives every pixel, from the means of its neighbourhood,
+    u = mean u - Ix (Ix mean u + Iy mean v + It) / (a^2 + Ix^2 + Iy^2), and v likewise, with grey levels in
+    0 to 1 and the image's edges repeated. One level without warps is the method as published; more levels
+    find movements of more than a pixel or two.
+
+    Args:
+        previous: HxW (grey) or HxWx3 (BGR, turned to grey) uint8.
+        current: the later frame, of the same size.
+        initial: a field (u, v) of the frames' size to start from, in place of zeros.
+        smoothness: a: weight of a smooth field, for grey levels in 0 to 1; between 0.0001 and 1000
+        sweeps: iterations, at most; after each warp; between 1 and 100000
+        tolerance: no more sweeps when one changes nothing by as much; 0: never [px]; between 0 and 1000000
+        derivatives: cubes of 2 x 2 x 2 as published, or Sobel's kernels; one of "hs1981" "sobel"
+        levels: images of a pyramid, each half the size of the one before; 1: the image alone; between 1 and 30
+        warps: times that the later frame is moved by the flow so far, at each level; 0: none at one level, 5 at more; between 0 and 1000
+
+    Raises:
+        InputError: frames or an initial field that do not fit, or are not finite.
+        ConfigError: options out of their ranges, or more levels than the size has.
     """
 
 def iou(a: Box, b: Box) -> float:

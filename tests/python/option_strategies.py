@@ -87,9 +87,11 @@ def sections_agree(config: survtrack.Config) -> bool:
     """Whether the rules between sections allow this config: the only ones beyond the bounds."""
     has_grid = config.vicinity.model == "grid"
     scaled = config.blobs.merge.model == "close" and config.blobs.merge.vicinity_scaled
-    return (config.cost.model != "gaussian" or config.filter.model != "mean_velocity") and (
-        has_grid or not (scaled or config.outputs.vicinity)
-    )
+    if (scaled or config.outputs.vicinity) and not has_grid:
+        return False
+    if config.outputs.flow and config.segmenter.model != "horn_schunck":
+        return False
+    return config.cost.model != "gaussian" or config.filter.model != "mean_velocity"
 
 
 def configs() -> st.SearchStrategy[survtrack.Config]:

@@ -17,6 +17,7 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.MovingAverageOptions,
         survtrack.Mog2Options,
         survtrack.KnnOptions,
+        survtrack.HornSchunckOptions,
     ),
     "filter": (
         survtrack.KalmanCvOptions,

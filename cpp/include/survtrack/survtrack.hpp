@@ -21,5 +21,6 @@
 #include "survtrack/pipeline/pipeline.hpp"
 #include "survtrack/pipeline/tracker.hpp"
 #include "survtrack/segmentation/cleanup.hpp"
+#include "survtrack/segmentation/horn_schunck.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
 #include "survtrack/segmentation/tiled_morphology.hpp"

@@ -96,4 +96,17 @@ void run(const Args&... args) {
   Kernel{}(args...);
 }
 
+/// Calls `Kernel<level>{}(args...)` for the level in use: for kernels that are written for its registers.
+template <template <Level> class Kernel, class... Args>
+void run_for_level(const Args&... args) {
+#if SURVTRACK_SIMD_X86
+  switch (level()) {
+    case Level::avx512: return detail::run_avx512<Kernel<Level::avx512>>(args...);
+    case Level::avx2: return detail::run_avx2<Kernel<Level::avx2>>(args...);
+    case Level::baseline: break;
+  }
+#endif
+  Kernel<Level::baseline>{}(args...);
+}
+
 }  // namespace survtrack::simd

@@ -69,6 +69,7 @@ void Detector::detect(const Expectation& expectation, Detections& detections) {
   cleanup_.apply(detections.mask);
   blobs_.extract(detections.mask, frame.image, expectation, outputs_.contours, detections);
   if (outputs_.background) segmenter_->background(detections.background);
+  if (outputs_.flow) segmenter_->flow(detections.flow);
   for (Event& event : detections.events) {
     event.index = frame.index;
     event.time_s = frame.time_s;

@@ -3,6 +3,7 @@
 
 #include "survtrack/segmentation/segmenter.hpp"
 
+#include "segmentation/horn_schunck_segmenter.hpp"
 #include "segmentation/moving_average.hpp"
 #include "segmentation/opencv_segmenters.hpp"
 #include "segmentation/selective.hpp"

@@ -48,7 +48,7 @@ class Fingerprint {
     for (const Detection& item : d.items) *this << item;
     for (const Box& region : d.regions) *this << region;
     for (const Event& event : d.events) *this << event;
-    return *this << d.mask << d.background;
+    return *this << d.mask << d.background << d.flow;
   }
   Fingerprint& operator<<(const TrackingResult& r) {
     add("\nresult", r.index, r.time_s, r.tracks.size(), r.tentative.size(), r.events.size());

@@ -19,6 +19,9 @@ namespace {
 struct Model {
   SegmenterOptions options;
   std::string name;
+  bool has_background() const { return !std::holds_alternative<HornSchunckOptions>(options); }
+  /// How far foreground may reach beyond an object: each sweep carries movement a pixel further.
+  int reach_px() const { return std::holds_alternative<HornSchunckOptions>(options) ? 6 : 0; }
 };
 
 template <std::size_t... I>
@@ -59,6 +62,7 @@ std::vector<cv::Mat> run(Segmenter& model, const std::vector<cv::Mat>& frames) {
 class SegmenterContract : public testing::TestWithParam<std::tuple<Model, int>> {
  protected:
   const SegmenterOptions& options() const { return std::get<0>(GetParam()).options; }
+  const Model& model() const { return std::get<0>(GetParam()); }
   int type() const { return CV_MAKETYPE(CV_8U, std::get<1>(GetParam())); }
 
   cv::Mat scene(const cv::Size& size = {90, 60}) const {
@@ -105,7 +109,8 @@ TEST_P(SegmenterContract, FindsAnObjectAndNothingElse) {
     EXPECT_EQ(cv::countNonZero(mask == 255), cv::countNonZero(mask)) << "values other than 0 and 255";
     EXPECT_GE(cv::countNonZero(mask(object(i))), object(i).area() * 95 / 100) << "frame " << i;
     // An object's way is not judged here: the averages have tails.
-    mask(cv::Rect(0, 20, 90, 12)).setTo(0);
+    const int reach = model().reach_px();
+    mask(cv::Rect(0, 20 - reach, 90, 12 + 2 * reach)).setTo(0);
     EXPECT_LE(cv::countNonZero(mask), 10) << "frame " << i;
   }
 }
@@ -172,19 +177,40 @@ TEST_P(SegmenterContract, TakesTheSmallestFrames) {
 
 TEST_P(SegmenterContract, ShowsItsBackground) {
   const cv::Mat flat(60, 90, type(), cv::Scalar::all(100));
-  const auto model = make_segmenter(options());
+  const auto segmenter = make_segmenter(options());
   cv::Mat picture(3, 3, CV_8UC1);
-  model->background(picture);
+  segmenter->background(picture);
   EXPECT_TRUE(picture.empty());
-  run(*model, std::vector<cv::Mat>(30, flat));
-  model->background(picture);
+  run(*segmenter, std::vector<cv::Mat>(30, flat));
+  segmenter->background(picture);
+  if (!model().has_background()) {
+    EXPECT_TRUE(picture.empty());
+    return;
+  }
   ASSERT_EQ(picture.size(), flat.size());
   ASSERT_EQ(picture.depth(), CV_8U);
   const cv::Mat expected(60, 90, picture.type(), cv::Scalar::all(100));
   EXPECT_LE(cv::norm(picture, expected, cv::NORM_INF), 1);
-  model->reset();
-  model->background(picture);
+  segmenter->reset();
+  segmenter->background(picture);
   EXPECT_TRUE(picture.empty());
+}
+
+TEST_P(SegmenterContract, OnlyModelsOfMovementHaveAFlowField) {
+  const auto segmenter = make_segmenter(options());
+  cv::Mat field(3, 3, CV_32FC2);
+  segmenter->flow(field);
+  EXPECT_TRUE(field.empty());
+  run(*segmenter, film());
+  segmenter->flow(field);
+  if (std::holds_alternative<HornSchunckOptions>(options())) {
+    EXPECT_EQ(field.size(), cv::Size(90, 60));
+    EXPECT_EQ(field.type(), CV_32FC2);
+    EXPECT_TRUE(cv::checkRange(field));
+    segmenter->reset();
+    segmenter->flow(field);
+  }
+  EXPECT_TRUE(field.empty());
 }
 
 TEST_P(SegmenterContract, LeavesGlobalStateAlone) {

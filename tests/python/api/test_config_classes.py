@@ -22,6 +22,7 @@ OTHER_CHOICES = {
     "settling": "published_mean",
     "square": "ellipse",
     "continuous": "identity",
+    "hs1981": "sobel",
 }
 
 

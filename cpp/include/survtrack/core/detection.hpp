@@ -46,6 +46,7 @@ struct Detections {
   std::vector<Event> events;  ///< raised by the detector
   cv::Mat mask;               ///< CV_8UC1, 0 or 255; empty for a user's own boxes
   cv::Mat background;         ///< the model's background picture, when asked for
+  cv::Mat flow;               ///< the model's flow field, CV_32FC2 (px right, down), when asked for; empty while it has none
 };
 
 }  // namespace survtrack

@@ -22,6 +22,7 @@ struct OutputOptions {
   bool contours = false;
   bool cost_matrix = false;
   bool vicinity = false;
+  bool flow = false;
 
   static constexpr auto fields() {
     using O = OutputOptions;
@@ -29,7 +30,8 @@ struct OutputOptions {
         field("background", &O::background, "", "the background picture of every frame"),
         field("contours", &O::contours, "", "the outer contour of every blob"),
         field("cost_matrix", &O::cost_matrix, "", "the whole matrix of costs, tracks by detections, and that of beliefs; at most a million entries"),
-        field("vicinity", &O::vicinity, "", "the vicinity grids, with vicinity.model grid"));
+        field("vicinity", &O::vicinity, "", "the vicinity grids, with vicinity.model grid"),
+        field("flow", &O::flow, "", "the flow field of every frame, with segmenter.model horn_schunck"));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "survtrack/core/fields.hpp"
+#include "survtrack/segmentation/horn_schunck_options.hpp"
 
 namespace survtrack {
 
@@ -120,6 +121,7 @@ struct KnnOptions {
   }
 };
 
-using SegmenterOptions = std::variant<SelectiveOptions, MovingAverageOptions, Mog2Options, KnnOptions>;
+using SegmenterOptions =
+    std::variant<SelectiveOptions, MovingAverageOptions, HornSchunckOptions, Mog2Options, KnnOptions>;
 
 }  // namespace survtrack

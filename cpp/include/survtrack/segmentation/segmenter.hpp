@@ -31,8 +31,12 @@ class Segmenter {
                        std::vector<Event>& events) = 0;
 
   /// The background picture as known after the last `segment`, of the frame's size; CV_8UC1 or CV_8UC3.
-  /// Empty before the first.
+  /// Empty before the first, and always for a model that has none.
   virtual void background(cv::Mat& picture) const = 0;
+
+  /// The flow field of the last `segment`: CV_32FC2 of the frame's size, px to the right and down. Empty while
+  /// there is none, and always for a model that finds none.
+  virtual void flow(cv::Mat& field) const { field.release(); }
 
   /// Forgets everything: the next frame is a first frame.
   virtual void reset() = 0;
