@@ -70,7 +70,7 @@ Times measure(int count) {
     options.order = order;
     options.velocity_break_point = 10.0;
     options.learn_after = 0;
-    TrackTable table(MeanVelocityOptions{}, CentroidOptions{}, 1.0);
+    TrackTable table(MeanVelocityOptions{}, CentroidOptions{}, NoReentryOptions{}, 1.0);
     table.predict(0.0);
     for (int i = 0; i < count; ++i) table.believe(table.start(i, first));
     Matcher matcher(options, assignment);

@@ -45,7 +45,9 @@ void bind_tiling(py::module_& module);
 void bind_flow(py::module_& module);
 void bind_filtering(py::module_& module);
 void bind_association(py::module_& module);
+void bind_beliefs(py::module_& module);
 void bind_pipeline(py::module_& module);
 void bind_offline(py::module_& module);
+void bind_patterns(py::module_& module);
 
 }  // namespace survtrack::bindings

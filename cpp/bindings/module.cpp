@@ -35,6 +35,8 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_flow(module);
   bindings::bind_filtering(module);
   bindings::bind_association(module);
+  bindings::bind_beliefs(module);
   bindings::bind_pipeline(module);
   bindings::bind_offline(module);
+  bindings::bind_patterns(module);
 }

@@ -116,21 +116,6 @@ void bind_history(py::module_& module) {
       .def_property_readonly("history", [](const HistoryRecorder& r) { return r.history(); }, "A copy of what was collected.");
 }
 
-void bind_link_options(py::module_& module) {
-  py::class_<LinkOptions> cls = bind_option_struct<LinkOptions>(
-      module, "LinkOptions", "When two tracks are one, and which tracks are too short to be real");
-  for_each_field<LinkOptions>([&](const auto& f) {
-    py::options no_signatures;
-    no_signatures.disable_function_signatures();
-    const auto member = f.member;
-    cls.def_property_readonly(
-        f.name,
-        py::cpp_function([member](const LinkOptions& self) { return python_value(self.*member); },
-                         property_type<LinkOptions>(f.name).getter.c_str()),
-        property_doc<LinkOptions>(f.name).c_str());
-  });
-}
-
 void bind_linked(py::module_& module) {
   py::class_<Link>(module, "Link", "Two tracks that are one, and the numbers that decided it.")
       .def_readonly("earlier_id", &Link::earlier_id)
@@ -165,7 +150,8 @@ void bind_linked(py::module_& module) {
 
 void bind_offline(py::module_& module) {
   bind_history(module);
-  bind_link_options(module);
+  bind_plain_options<LinkOptions>(module, "LinkOptions",
+                                  "When two tracks are one, and which tracks are too short to be real");
   bind_linked(module);
 }
 

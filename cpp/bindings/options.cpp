@@ -37,6 +37,10 @@ void bind_options(py::module_& module) {
   bind_model_options<ConfirmAndLoseOptions>(module, "ConfirmAndLoseOptions");
   bind_model_options<LostCountOptions>(module, "LostCountOptions");
   bind_model_options<CountMedianOptions>(module, "CountMedianOptions");
+  bind_model_options<NoGroupsOptions>(module, "NoGroupsOptions");
+  bind_model_options<SharedBlobOptions>(module, "SharedBlobOptions");
+  bind_model_options<NoReentryOptions>(module, "NoReentryOptions");
+  bind_model_options<RememberOptions>(module, "RememberOptions");
   bind_model_options<NoVicinityOptions>(module, "NoVicinityOptions");
   bind_model_options<GridVicinityOptions>(module, "GridVicinityOptions");
   bind_frozen_options<OutputOptions>(module, "OutputOptions", "Extras of a result that cost something");

@@ -211,6 +211,21 @@ void bind_frozen_options(py::module_& module, const char* name, const std::strin
   });
 }
 
+/// The same outside of a config, where no path says how else to change an option.
+template <class Struct>
+void bind_plain_options(py::module_& module, const char* name, const std::string& doc) {
+  py::class_<Struct> cls = bind_option_struct<Struct>(module, name, doc);
+  for_each_field<Struct>([&](const auto& f) {
+    py::options no_signatures;
+    no_signatures.disable_function_signatures();
+    const auto member = f.member;
+    cls.def_property_readonly(f.name,
+                              py::cpp_function([member](const Struct& self) { return python_value(self.*member); },
+                                               property_type<Struct>(f.name).getter.c_str()),
+                              property_doc<Struct>(f.name).c_str());
+  });
+}
+
 /// One alternative of a variant.
 template <class Struct>
 void bind_model_options(py::module_& module, const char* name) {

@@ -19,6 +19,7 @@ struct TrackRow {
   double velocity_x_px_per_s, velocity_y_px_per_s;
   double covariance_xx_px2, covariance_xy_px2, covariance_yy_px2;
   std::int32_t detection, age_frames, matched_frames, lost_frames;
+  std::int64_t group;
 };
 
 struct DetectionRow {
@@ -34,7 +35,7 @@ TrackRow row_of(const Track& t) {
   const Symmetric2& P = t.position_covariance_px2;
   return {t.id, static_cast<std::uint8_t>(t.status), t.reported, t.box.x, t.box.y, t.box.width, t.box.height,
           t.position.x, t.position.y, t.velocity_px_per_s.x, t.velocity_px_per_s.y, P.xx, P.xy, P.yy,
-          t.detection, t.age_frames, t.matched_frames, t.lost_frames};
+          t.detection, t.age_frames, t.matched_frames, t.lost_frames, t.group};
 }
 
 DetectionRow row_of(const Detection& d) {
@@ -215,7 +216,7 @@ void bind_tracking_part(Class& cls, Get get) {
 void bind_results(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(TrackRow, id, status, reported, x, y, width, height, position_x, position_y,
                        velocity_x_px_per_s, velocity_y_px_per_s, covariance_xx_px2, covariance_xy_px2,
-                       covariance_yy_px2, detection, age_frames, matched_frames, lost_frames);
+                       covariance_yy_px2, detection, age_frames, matched_frames, lost_frames, group);
   PYBIND11_NUMPY_DTYPE(DetectionRow, x, y, width, height, position_x, position_y, area_px, mean_blue, mean_green,
                        mean_red, moment_xx_px2, moment_xy_px2, moment_yy_px2, confidence, class_id);
   bind_detections(module);

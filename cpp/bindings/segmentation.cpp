@@ -65,7 +65,8 @@ py::array clean_mask(const py::object& mask, const CleanupOptions& options) {
   return changed_mask(mask, [&](cv::Mat& changed) { Cleanup(options).apply(changed); });
 }
 
-PyDetections find_blobs(const py::object& mask, const py::object& frame, const BlobOptions& options, bool contours) {
+PyDetections find_blobs(const py::object& mask, const py::object& frame, const BlobOptions& options, bool contours,
+                        double time_s, std::int64_t index) {
   const ImageView view = view_of_image(mask, "mask");
   if (view.image.channels() != 1) throw InputError("mask: has 3 channels; expected HxW uint8");
   const ImageView colors = view_of_image(frame.is_none() ? mask : frame, "frame");
@@ -75,6 +76,8 @@ PyDetections find_blobs(const py::object& mask, const py::object& frame, const B
                      std::to_string(view.image.cols));
   }
   PyDetections detections;
+  detections.value.time_s = time_s;
+  detections.value.index = index;
   detections.value.frame_width = view.image.cols;
   detections.value.frame_height = view.image.rows;
   BlobExtractor(options).extract(view.image, colors.image, Expectation{}, contours, detections.value);
@@ -113,7 +116,9 @@ void bind_segmentation(py::module_& module) {
       .def("reset", &Cleanup::reset, "Forgets the masks before: the next is a first mask.");
   module.def("find_blobs", &find_blobs, py::arg("mask"), py::arg("frame") = py::none(),
              py::arg("options") = BlobOptions{}, py::kw_only(), py::arg("contours") = false,
-             "The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size).");
+             py::arg("time_s") = 0.0, py::arg("index") = 0,
+             "The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size). For\n"
+             "Tracker.process they need the frame's time in seconds, and may have its index in its source.");
 }
 
 }  // namespace survtrack::bindings

@@ -15,6 +15,8 @@ import numpy
 import numpy.typing
 
 __all__: list[str] = [
+    "Activity",
+    "ActivityKind",
     "BeliefOptions",
     "BlobOptions",
     "Box",
@@ -26,6 +28,7 @@ __all__: list[str] = [
     "Config",
     "ConfirmAndLoseOptions",
     "CountMedianOptions",
+    "Density",
     "Detection",
     "Detections",
     "Detector",
@@ -56,18 +59,25 @@ __all__: list[str] = [
     "MeanVelocityOptions",
     "Mog2Options",
     "MovingAverageOptions",
+    "NoGroupsOptions",
     "NoMergeOptions",
+    "NoReentryOptions",
     "NoTilingOptions",
     "NoVicinityOptions",
     "OldestFirstOptions",
     "OutputOptions",
+    "Pattern",
+    "PatternOptions",
+    "Patterns",
     "Pipeline",
     "PredictedTrack",
     "QuadrantsOptions",
+    "RememberOptions",
     "RowOrderOptions",
     "SceneScale",
     "Segmenter",
     "SelectiveOptions",
+    "SharedBlobOptions",
     "Track",
     "TrackStatus",
     "Tracker",
@@ -77,16 +87,21 @@ __all__: list[str] = [
     "assign_hungarian",
     "assign_oldest_first",
     "clean_mask",
+    "falling_velocity_factor",
     "find_blobs",
     "horn_schunck",
     "iou",
+    "learn_patterns",
     "link_tracks",
     "match_matrix",
     "options_reference",
+    "order_free_beliefs",
     "preset",
     "preset_names",
     "preset_text",
+    "published_beliefs",
     "tiled_morphology",
+    "velocity_factor",
 ]
 
 class Box:
@@ -219,7 +234,7 @@ class Track:
     @property
     def detection(self) -> int:
         """
-        Index of this frame's matched detection; -1: none.
+        Index of this frame's matched detection, or that of its group; -1: none.
         """
     @property
     def end_index(self) -> int:
@@ -229,9 +244,14 @@ class Track:
     @property
     def end_time_s(self) -> float: ...
     @property
+    def group(self) -> int:
+        """
+        Of tracks that share one detection the id of the oldest; 0: it shares none.
+        """
+    @property
     def id(self) -> int:
         """
-        From 1, without gaps, never reused; 0 while tentative.
+        From 1, without gaps, given again only to who comes back; 0 while tentative.
         """
     @property
     def lost_frames(self) -> int:
@@ -298,12 +318,15 @@ class EventKind(enum.Enum):
     What happened.
     """
 
-    anomalous_speed = 5
-    converged = 4
-    scene_changed = 6
-    track_ended = 3
-    track_lost = 1
-    track_recovered = 2
+    anomalous_speed = 8
+    converged = 7
+    merged = 5
+    scene_changed = 9
+    split = 6
+    track_ended = 4
+    track_lost = 2
+    track_recovered = 3
+    track_reentered = 1
     track_started = 0
 
 class Event:
@@ -315,6 +338,11 @@ class Event:
     def box(self) -> Box:
         """
         px
+        """
+    @property
+    def confidence(self) -> float:
+        """
+        Of a track that came back: that it is the same, 0 to 1.
         """
     @property
     def index(self) -> int:
@@ -2197,6 +2225,214 @@ class CountMedianOptions:
     @restart_after_s.setter
     def restart_after_s(self, value: typing.Never) -> None: ...
 
+class NoGroupsOptions:
+    """
+    of tracks that merge into one blob one has it, the others are lost.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoGroupsOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoGroupsOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoGroupsOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class SharedBlobOptions:
+    """
+    tracks that merge into one blob are a group until it divides.
+
+    Args:
+        min_cover: a track without a detection joins the one in whose detection more than this part of its predicted box lies; between 0 and 1
+        join_s: only a track that was seen so shortly before joins [s]; between 0 and 1000000
+        max_s: a track that is not seen by itself for longer is lost [s]; between 0 and 1000000
+        color_deviation: when the blob divides: standard deviation of a track's mean colour, of 0 to 1.73 (Narayana 2007, eq. 3.6); 0: colour does not count; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "shared_blob"
+    def __copy__(self) -> SharedBlobOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> SharedBlobOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        min_cover: float = 0.5,
+        join_s: float = 0.2,
+        max_s: float = 10.0,
+        color_deviation: float = 0.1,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> SharedBlobOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def color_deviation(self) -> float:
+        """
+        when the blob divides: standard deviation of a track's mean colour, of 0 to 1.73 (Narayana 2007, eq. 3.6); 0: colour does not count
+        """
+    @color_deviation.setter
+    def color_deviation(self, value: typing.Never) -> None: ...
+    @property
+    def join_s(self) -> float:
+        """
+        only a track that was seen so shortly before joins [s]
+        """
+    @join_s.setter
+    def join_s(self, value: typing.Never) -> None: ...
+    @property
+    def max_s(self) -> float:
+        """
+        a track that is not seen by itself for longer is lost [s]
+        """
+    @max_s.setter
+    def max_s(self, value: typing.Never) -> None: ...
+    @property
+    def min_cover(self) -> float:
+        """
+        a track without a detection joins the one in whose detection more than this part of its predicted box lies
+        """
+    @min_cover.setter
+    def min_cover(self, value: typing.Never) -> None: ...
+
+class NoReentryOptions:
+    """
+    who comes back is someone new.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoReentryOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoReentryOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoReentryOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class RememberOptions:
+    """
+    who comes back where a track ended, and looks the same, is that track.
+
+    Args:
+        max_away_s: a track that ended longer ago is forgotten [s]; between 0 and 1000000
+        away_time_s: T: the weight of a track falls by 1/e in this time [s]; above 0 and at most 1000000
+        place_deviation: s_d: standard deviation of the place, about the one where the track was seen last or would be by its velocity [object sizes]; above 0 and at most 1000000
+        color_deviation: s_c: standard deviation of a track's mean colour, of 0 to 1.73 (Narayana 2007, eq. 3.6); 0: colour does not count; between 0 and 1000000
+        newcomer_weight: weight of being someone new; above 0 and at most 1000000
+        min_confidence: an identity is given again from this confidence on; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "remember"
+    def __copy__(self) -> RememberOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> RememberOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        max_away_s: float = 60.0,
+        away_time_s: float = 30.0,
+        place_deviation: float = 1.5,
+        color_deviation: float = 0.05,
+        newcomer_weight: float = 0.2,
+        min_confidence: float = 0.6,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> RememberOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def away_time_s(self) -> float:
+        """
+        T: the weight of a track falls by 1/e in this time [s]
+        """
+    @away_time_s.setter
+    def away_time_s(self, value: typing.Never) -> None: ...
+    @property
+    def color_deviation(self) -> float:
+        """
+        s_c: standard deviation of a track's mean colour, of 0 to 1.73 (Narayana 2007, eq. 3.6); 0: colour does not count
+        """
+    @color_deviation.setter
+    def color_deviation(self, value: typing.Never) -> None: ...
+    @property
+    def max_away_s(self) -> float:
+        """
+        a track that ended longer ago is forgotten [s]
+        """
+    @max_away_s.setter
+    def max_away_s(self, value: typing.Never) -> None: ...
+    @property
+    def min_confidence(self) -> float:
+        """
+        an identity is given again from this confidence on
+        """
+    @min_confidence.setter
+    def min_confidence(self, value: typing.Never) -> None: ...
+    @property
+    def newcomer_weight(self) -> float:
+        """
+        weight of being someone new
+        """
+    @newcomer_weight.setter
+    def newcomer_weight(self, value: typing.Never) -> None: ...
+    @property
+    def place_deviation(self) -> float:
+        """
+        s_d: standard deviation of the place, about the one where the track was seen last or would be by its velocity [object sizes]
+        """
+    @place_deviation.setter
+    def place_deviation(self, value: typing.Never) -> None: ...
+
 class NoVicinityOptions:
     """
     no vicinity factor.
@@ -2408,6 +2644,8 @@ class Config:
         cost: how well a detection fits a track
         assignment: who gets which detection
         lifecycle: when tracks are born, believed, lost and closed
+        groups: tracks that merge into one blob
+        reentry: tracks that ended and come back
         vicinity: what the scene teaches about sizes and speeds
         outputs: extras of a result that cost something
     """
@@ -2443,6 +2681,8 @@ class Config:
         cost: GaussianCostOptions | MatchMatrixOptions | BeliefOptions | DistanceOptions = ...,
         assignment: HungarianOptions | OldestFirstOptions | RowOrderOptions = ...,
         lifecycle: ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions = ...,
+        groups: NoGroupsOptions | SharedBlobOptions = ...,
+        reentry: NoReentryOptions | RememberOptions = ...,
         vicinity: NoVicinityOptions | GridVicinityOptions = ...,
         outputs: OutputOptions = ...,
     ) -> None:
@@ -2523,6 +2763,13 @@ class Config:
     @filter.setter
     def filter(self, value: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions) -> None: ...
     @property
+    def groups(self) -> NoGroupsOptions | SharedBlobOptions:
+        """
+        tracks that merge into one blob
+        """
+    @groups.setter
+    def groups(self, value: NoGroupsOptions | SharedBlobOptions) -> None: ...
+    @property
     def lifecycle(self) -> ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions:
         """
         when tracks are born, believed, lost and closed
@@ -2545,6 +2792,13 @@ class Config:
         """
     @outputs.setter
     def outputs(self, value: OutputOptions) -> None: ...
+    @property
+    def reentry(self) -> NoReentryOptions | RememberOptions:
+        """
+        tracks that ended and come back
+        """
+    @reentry.setter
+    def reentry(self, value: NoReentryOptions | RememberOptions) -> None: ...
     @property
     def segmenter(
         self,
@@ -2916,6 +3170,49 @@ class FilterBank:
         Nx2, px per time unit
         """
 
+class Density:
+    """
+    The density of a difference between a track and its blob (Narayana 2007, 8.3.3): a table of equal bins
+    over -range to range, relative to its peak, linear between the bins' middles.
+    """
+    @staticmethod
+    def from_values(
+        range: typing.SupportsFloat | typing.SupportsIndex,
+        values: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> Density:
+        """
+        From a table of 3 or more values, at least 0, whose integral over -range to range is 1 within 1e-6. Raises
+        InputError.
+        """
+    @staticmethod
+    def two_sided_exponential(
+        range: typing.SupportsFloat | typing.SupportsIndex,
+        scale: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> Density:
+        """
+        exp(-abs(difference) / scale) in 401 bins: what stands in until enough was seen. Both are above 0, in the unit of
+        the differences. Raises InputError.
+        """
+    def __call__(
+        self, difference: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Relative to the peak, 0 to 1, for an array of differences of any shape; beyond the range the last bin counts.
+        Raises InputError.
+        """
+    @property
+    def range(self) -> float: ...
+    @property
+    def relative(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The table, with the peak 1.
+        """
+    @property
+    def values(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The table, with the integral 1.
+        """
+
 class Pipeline:
     """
     The whole system: frame in, tracks and events out. One object a camera.
@@ -3265,6 +3562,259 @@ class Linked:
         In order of the earlier one's start; ids are those of the given tracks.
         """
 
+class PatternOptions:
+    """
+    When tracks go the same way, and which are unusual.
+
+    Args:
+        points: points by which a way is described, evenly spaced along it; between 4 and 256
+        min_travel: a track that never gets so far from its first place is standing, and neither learned from nor unusual [object sizes]; between 0.01 and 1000000
+        max_distance: largest mean distance between corresponding points of a track and the way that it follows [object sizes]; above 0 and at most 1000000
+        max_angle_deg: largest angle between their directions; its cosine is the mean over the way [degrees]; above 0 and at most 180
+        min_tracks: what fewer tracks do is no pattern [tracks]; between 1 and 1000000
+        max_speed_deviations: a track is too fast or too slow beyond this many from the pattern's mean speed [standard deviations]; above 0 and at most 1000000
+        min_speed_spread: least standard deviation of a pattern's speed that counts, in parts of the mean; above 0 and at most 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    def __copy__(self) -> PatternOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> PatternOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        points: int = 16,
+        min_travel: float = 2.0,
+        max_distance: float = 1.5,
+        max_angle_deg: float = 45.0,
+        min_tracks: int = 3,
+        max_speed_deviations: float = 3.0,
+        min_speed_spread: float = 0.1,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> PatternOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def max_angle_deg(self) -> float:
+        """
+        largest angle between their directions; its cosine is the mean over the way [degrees]
+        """
+    @property
+    def max_distance(self) -> float:
+        """
+        largest mean distance between corresponding points of a track and the way that it follows [object sizes]
+        """
+    @property
+    def max_speed_deviations(self) -> float:
+        """
+        a track is too fast or too slow beyond this many from the pattern's mean speed [standard deviations]
+        """
+    @property
+    def min_speed_spread(self) -> float:
+        """
+        least standard deviation of a pattern's speed that counts, in parts of the mean
+        """
+    @property
+    def min_tracks(self) -> int:
+        """
+        what fewer tracks do is no pattern [tracks]
+        """
+    @property
+    def min_travel(self) -> float:
+        """
+        a track that never gets so far from its first place is standing, and neither learned from nor unusual [object sizes]
+        """
+    @property
+    def points(self) -> int:
+        """
+        points by which a way is described, evenly spaced along it
+        """
+
+class Pattern:
+    """
+    A way that many tracks go, and how (Narayana 2007, 11.5).
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def count(self) -> int:
+        """
+        Tracks that it was learned from.
+        """
+    @property
+    def duration_deviation_s(self) -> float:
+        """
+        Standard deviation over the tracks.
+        """
+    @property
+    def duration_s(self) -> float:
+        """
+        Mean over the tracks.
+        """
+    @property
+    def enters(self) -> tuple[float, float]:
+        """
+        (x, y), px: the way's first point.
+        """
+    @property
+    def id(self) -> int:
+        """
+        From 1; the most frequent pattern first.
+        """
+    @property
+    def leaves(self) -> tuple[float, float]:
+        """
+        (x, y), px: the way's last point.
+        """
+    @property
+    def size_px(self) -> float:
+        """
+        Mean of the objects' sizes (root of the box area).
+        """
+    @property
+    def speed_deviation_px_per_s(self) -> float:
+        """
+        Standard deviation over the tracks.
+        """
+    @property
+    def speed_px_per_s(self) -> float:
+        """
+        Mean of the tracks' mean speeds, standing still counted.
+        """
+    @property
+    def spread_px(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N numbers: at each point of the way the root mean square distance across it.
+        """
+    @property
+    def time_s(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N numbers: at each point of the way the mean time since the first.
+        """
+    @property
+    def way(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2 (x, y) in px: the mean of their ways, from where it enters to where it leaves.
+        """
+
+class ActivityKind(enum.Enum):
+    """
+    What a track does, seen by the patterns.
+    """
+
+    other_way = 2
+    standing = 1
+    too_fast = 3
+    too_slow = 4
+    usual = 0
+
+class Activity:
+    """
+    What one track does, and the numbers that decided it.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def angle_deg(self) -> float | None:
+        """
+        Between the directions, 0 to 180; None as distance is.
+        """
+    @property
+    def distance(self) -> float | None:
+        """
+        Mean distance from the pattern's way in object sizes; from the nearest when it follows none.
+        None of a standing track, or without patterns.
+        """
+    @property
+    def kind(self) -> ActivityKind: ...
+    @property
+    def partial(self) -> bool:
+        """
+        It follows a stretch of the pattern's way, not the whole.
+        """
+    @property
+    def pattern(self) -> int | None:
+        """
+        Id of the pattern that it follows, or None.
+        """
+    @property
+    def speed_px_per_s(self) -> float:
+        """
+        Length of its way by its duration.
+        """
+    @property
+    def speed_ratio(self) -> float | None:
+        """
+        In parts of the pattern's mean speed, of a stretch in parts of its speed there; None without a pattern.
+        """
+    @property
+    def track_id(self) -> int: ...
+    @property
+    def unusual(self) -> bool:
+        """
+        Neither usual nor standing.
+        """
+
+class Patterns:
+    """
+    The patterns of activity in a scene; len() is their number.
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    @staticmethod
+    def from_json(json: str, source: str = "patterns") -> Patterns:
+        """
+        Reads what to_json() wrote. Raises InputError that names source, the entry and what is expected there.
+        """
+    def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __len__(self) -> int: ...
+    def __repr__(self) -> str: ...
+    def classify(self, history: History) -> list[Activity]:
+        """
+        What each track does, by its id. A track that follows no whole way may follow a stretch of one: it may begin
+        late, end early, or be still underway. Of several patterns within the limits the nearest is taken. Raises
+        InputError naming track and frame index.
+        """
+    def to_json(self) -> str:
+        """
+        Text that from_json() reads back to the same patterns.
+        """
+    @property
+    def frame_size(self) -> tuple[int, int] | None:
+        """
+        (width, height) in px of the frames that the tracks come from, or None. It is kept for those who load
+        the patterns; classify() does not look at it.
+        """
+    @frame_size.setter
+    def frame_size(
+        self,
+        arg1: tuple[
+            typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex
+        ]
+        | None,
+    ) -> None: ...
+    @property
+    def options(self) -> PatternOptions:
+        """
+        In force for classify().
+        """
+    @options.setter
+    def options(self, arg0: PatternOptions) -> None: ...
+    @property
+    def patterns(self) -> list[Pattern]:
+        """
+        By id.
+        """
+
 def assign_hungarian(
     costs: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
     unassigned_cost: typing.SupportsFloat | typing.SupportsIndex = ...,
@@ -3288,15 +3838,28 @@ def clean_mask(mask: typing.Any, options: CleanupOptions = ...) -> numpy.ndarray
     alone. A temporal median has nothing to do with one mask: see Cleanup.
     """
 
+def falling_velocity_factor(
+    difference: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    break_point: typing.SupportsFloat | typing.SupportsIndex,
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    The velocity factor of a belief (Narayana 2007, fig. 8.6): 2 - 1.8 min(difference / break_point, 1), from 2 to 0.2.
+    difference: array of any shape, at least 0, in the unit of break_point (px per time unit), which is above 0.
+    Returns an array of the same shape. Raises InputError.
+    """
+
 def find_blobs(
     mask: typing.Any,
     frame: typing.Any = None,
     options: BlobOptions = ...,
     *,
     contours: bool = False,
+    time_s: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+    index: typing.SupportsInt | typing.SupportsIndex = 0,
 ) -> Detections:
     """
-    The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size).
+    The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size). For
+    Tracker.process they need the frame's time in seconds, and may have its index in its source.
     """
 
 def horn_schunck(
@@ -3341,6 +3904,15 @@ def iou(a: Box, b: Box) -> float:
     Intersection over union of two boxes, 0 to 1.
     """
 
+def learn_patterns(history: History, options: PatternOptions = ...) -> Patterns:
+    """
+    Groups tracks by the ways they go (Narayana 2007, 11.5). A track is described by points evenly spaced along
+    its way; two go the same way when mean distance and angle are within the limits. The track with most like it
+    leads the first group, of the rest again the one with most, and so on; then each track goes to the group whose
+    mean way is nearest, until none changes. The order of the tracks does not matter; the time grows with the
+    square of their number. Raises InputError naming track and frame index.
+    """
+
 def link_tracks(history: History, options: LinkOptions = ...) -> Linked:
     """
     Joins the pieces of broken tracks, then drops tracks that are too short (Narayana 2007, 11.2). A chain of
@@ -3363,6 +3935,18 @@ def options_reference() -> str:
     The reference of all options in Markdown.
     """
 
+def order_free_beliefs(
+    evidence: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    One row of the belief matrix (Narayana 2007, 8.3): the probabilities that a track is each of v blobs, and last that
+    it is "lost"; they sum to 1. evidence: v x 4, a row a blob: the ratios p(observed | assigned) /
+    p(observed | not assigned) of colour, position and size (1: not observed), and the falling velocity factor (1:
+    none); 0 to 1e60. With the products w of a blob's four, b_i = w_i / (1 + sum of w), and 1 / (1 + sum of w) of
+    "lost": Bayes' rule blob by blob with the velocity factor on the odds, whatever their order. Returns v + 1
+    numbers. Raises InputError.
+    """
+
 def preset(name: str = "survtrack") -> Config:
     """
     The config of a preset.
@@ -3376,6 +3960,16 @@ def preset_names() -> list[str]:
 def preset_text(name: str) -> str:
     """
     A preset's TOML file: what differs from the defaults, with the reasons.
+    """
+
+def published_beliefs(
+    evidence: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    The same as published: a row starts at 1 / (v + 1); blob after blob each ratio r makes its entry
+    b' = r b / (r b + 1 - b) (eq. 8.13 to 8.17), the velocity factor f then min(f b', 1 - 1e-9), and after each step
+    the other entries are multiplied by (1 - b') / (1 - b) (eq. 8.19). The order of the blobs matters as soon as there
+    are velocity factors. Raises InputError.
     """
 
 def tiled_morphology(
@@ -3401,6 +3995,15 @@ def tiled_morphology(
 
     Dilation is by the reflected element. What lies beyond the mask is neutral to both. Returns a new mask,
     0 or 255. Raises ConfigError for the grid and InputError for a mask too small for it.
+    """
+
+def velocity_factor(
+    difference: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    break_point: typing.SupportsFloat | typing.SupportsIndex,
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    The velocity factor of a match-matrix entry (Narayana 2007, fig. 4.12): 1 / falling_velocity_factor, from 0.5 to 5.
+    Arguments, result and errors are those of falling_velocity_factor.
     """
 
 __version__: str = "0.1.0"

@@ -30,6 +30,7 @@ class RunSummary:
         pipeline_seconds: of these, inside the pipeline: without decoding, drawing and writing.
         track_ids: ids of all tracks that were reported.
         events: number of events.
+        begun: there was a first result, and a place for it.
         error: what ended the run early; None when it is complete.
     """
 
@@ -41,6 +42,7 @@ class RunSummary:
     pipeline_seconds: float = 0.0
     track_ids: set[int] = field(default_factory=set)
     events: int = 0
+    begun: bool = False
     error: BaseException | None = None
 
     @property
@@ -68,17 +70,21 @@ def run(
     pipeline: "Pipeline",
     sinks: "Sequence[Sink]",
     progress: Callable[[int], None] | None = None,
+    begin: Callable[[], None] | None = None,
 ) -> RunSummary:
     """Process every frame of the source and write every result to every sink.
 
-    Whatever goes wrong on the way, Ctrl-C included, ends the run but not its outputs: the frames
-    seen before are written, the sinks are finished, and the summary's `error` says what it was.
+    The sinks are entered with the first result: an error that comes before it, such as a frame
+    that the config does not fit, touches no outputs of an earlier run. Whatever goes wrong later,
+    Ctrl-C included, ends the run but not its outputs: the frames seen before are written, the
+    sinks are finished, and the summary's `error` says what it was.
 
     Args:
         source: see Source.
         pipeline: fresh, or reset.
         sinks: see Sink; entered and left here.
         progress: called after each result with the number of results.
+        begin: called once, before the sinks are entered; makes the place of the outputs.
 
     Raises:
         UsageError: an endless source with a pipeline that answers late.
@@ -88,9 +94,15 @@ def run(
     began = perf_counter()
     try:
         with ExitStack() as stack:
-            for sink in sinks:
-                stack.enter_context(sink)
-            _loop(source, pipeline, sinks, progress, summary)
+
+            def enter_sinks() -> None:
+                if begin is not None:
+                    begin()
+                summary.begun = True
+                for sink in sinks:
+                    stack.enter_context(sink)
+
+            _loop(source, pipeline, enter_sinks, sinks, progress, summary)
     except (Exception, KeyboardInterrupt) as error:
         # A full disk also keeps other sinks from finishing: what came first is the cause.
         summary.error = summary.error or error
@@ -101,6 +113,7 @@ def run(
 def _loop(
     source: "Source",
     pipeline: "Pipeline",
+    enter_sinks: Callable[[], None],
     sinks: "Sequence[Sink]",
     progress: Callable[[int], None] | None,
     summary: RunSummary,
@@ -108,6 +121,8 @@ def _loop(
     """Write results until there are no more; an error on the way is put into the summary."""
     try:
         for result in results(source, pipeline, summary):
+            if not summary.begun:
+                enter_sinks()
             for sink in sinks:
                 sink.write(result.frame, result)
             summary.add(result)
@@ -158,7 +173,7 @@ def refuse_endless_delay(source: "Source", pipeline: "Pipeline") -> None:
 
 
 def track(
-    source: "str | PathLike[str] | Iterable[Frame]",
+    source: "str | PathLike[str] | Iterable[Frame] | Source",
     preset: str = "survtrack",
     *,
     config: "Config | None" = None,
@@ -168,13 +183,14 @@ def track(
     limit: int | None = None,
     resize: tuple[int, int] | None = None,
 ) -> "Iterator[tuple[Frame, FrameResult]]":
-    """Track what moves in a video, a folder or glob of images, or an iterable of arrays.
+    """Track what moves in a video, a folder or glob of images, an iterable of arrays or a Source.
 
         for frame, result in survtrack.track("street.mp4"):
             print(result.index, [track.id for track in result.tracks if track.reported])
 
     Args:
-        source, fps, start, step, limit, resize: as for survtrack.sources.open_source.
+        source, fps, start, step, limit, resize: as for survtrack.sources.open_source; a source
+            that is open already, such as one of your own class, takes none of the options.
         preset: name of a preset; not looked at when `config` is given.
         config: what to run instead of a preset.
 
@@ -184,7 +200,7 @@ def track(
 
     Raises:
         InputError: the source cannot be read.
-        UsageError: a bad option.
+        UsageError: a bad option, or any of source's options with one that is open already.
     """
     import survtrack
 
@@ -195,7 +211,7 @@ def track(
 
 
 def _pairs(source: "Source", pipeline: "Pipeline") -> "Iterator[tuple[Frame, FrameResult]]":
-    if isinstance(source, ArraySource):
+    if isinstance(source, (ArraySource, Prefetch)):
         yield from ((result.frame, result) for result in results(source, pipeline))
         return
     with Prefetch(source) as ahead:

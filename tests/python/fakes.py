@@ -103,6 +103,7 @@ class Result:
     beliefs: np.ndarray | None = None
     matrix_track_ids: list[int] = field(default_factory=list)
     vicinity: dict[int, Grid] = field(default_factory=dict)
+    flow: np.ndarray | None = None
 
 
 def result_of(frame: Image, index: int = 0, *tracks: Track, **more: Any) -> Result:

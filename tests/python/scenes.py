@@ -41,6 +41,8 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.LostCountOptions,
         survtrack.CountMedianOptions,
     ),
+    "groups": (survtrack.NoGroupsOptions, survtrack.SharedBlobOptions),
+    "reentry": (survtrack.NoReentryOptions, survtrack.RememberOptions),
     "vicinity": (survtrack.NoVicinityOptions, survtrack.GridVicinityOptions),
 }
 MERGES: tuple[type[Any], ...] = (

@@ -23,10 +23,11 @@ class Recorder:
         self.indices: list[int] = []
         self.frames: list[Image] = []
         self.outputs: list[str] = []
-        self.finished = False
+        self.entered = self.finished = False
         self._fails_at, self._fails_at_end = fails_at, fails_at_end
 
     def __enter__(self) -> Self:
+        self.entered = True
         return self
 
     def __exit__(
@@ -102,6 +103,41 @@ def test_a_pipeline_that_fails_keeps_what_was_before() -> None:
     assert sink.indices == [0, 1, 2, 3, 4]
     assert sink.finished
     assert str(summary.error) == "index 5 is refused"
+
+
+@pytest.mark.parametrize("delay", [0, 2])
+@pytest.mark.parametrize("breaks", ["source", "pipeline", "nothing"])
+def test_without_a_first_result_no_sink_is_entered(breaks: str, delay: int) -> None:
+    first = {"source": FRAMES[0][:, :0], "pipeline": FRAMES[0]}
+    frames = [first[breaks], *FRAMES] if breaks in first else FRAMES
+    pipeline = Pipeline(delay, fails_at=0 if breaks == "pipeline" else None)
+    sink, begun = Recorder(), []
+    summary = run(ArraySource(frames), pipeline, [sink], begin=lambda: begun.append(sink.entered))  # type: ignore[arg-type,list-item]
+    if breaks == "nothing":
+        assert begun == [False]  # once, and before the sinks
+        assert summary.complete and summary.begun and sink.finished
+        return
+    assert begun == []
+    assert not (summary.begun or sink.entered or sink.finished)
+    assert isinstance(summary.error, InputError if breaks == "source" else ValueError)
+
+
+def test_a_place_that_cannot_be_made_ends_the_run_before_its_sinks() -> None:
+    def begin() -> None:
+        raise OSError(28, "No space left on device", "place")
+
+    sink = Recorder()
+    summary = run(ArraySource(FRAMES), Pipeline(), [sink], begin=begin)  # type: ignore[arg-type,list-item]
+    assert isinstance(summary.error, OSError)
+    assert not (summary.begun or sink.entered)
+
+
+def test_a_source_that_breaks_while_results_are_late_keeps_what_was_before() -> None:
+    sink = Recorder()
+    frames = [*FRAMES[:2], FRAMES[2][:9]]
+    summary = run_fake(ArraySource(frames), Pipeline(75), sink)
+    assert sink.indices == [0, 1]
+    assert summary.begun and sink.finished and not summary.complete
 
 
 def test_ctrl_c_keeps_what_was_before() -> None:

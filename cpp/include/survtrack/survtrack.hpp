@@ -16,6 +16,7 @@
 #include "survtrack/filtering/kalman_bank.hpp"
 #include "survtrack/filtering/motion_model.hpp"
 #include "survtrack/offline/link.hpp"
+#include "survtrack/offline/patterns.hpp"
 #include "survtrack/pipeline/config.hpp"
 #include "survtrack/pipeline/detector.hpp"
 #include "survtrack/pipeline/pipeline.hpp"

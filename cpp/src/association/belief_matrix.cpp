@@ -3,7 +3,6 @@
 
 #include "survtrack/association/belief_matrix.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace survtrack {
@@ -11,14 +10,20 @@ namespace {
 
 constexpr double most_belief = 1.0 - 1e-9;
 
-/// Bayes' rule for one entry, with its present value as the prior (8.13).
-double posterior(double prior, double ratio) {
-  const double assigned = ratio * prior;
-  return assigned / (assigned + (1.0 - prior));
-}
+/// A belief and what is left beside it: near 1 the difference from 1 would have few digits.
+struct Entry {
+  double belief;
+  double rest;
+};
 
-/// What the other entries of a row are multiplied by when one goes from `before` to `after`: eq. 8.19, as one fraction.
-double rescale(double before, double after) { return (1.0 - after) / (1.0 - before); }
+/// Bayes' rule for one entry, with its present value as the prior (8.13); then the velocity factor.
+Entry posterior(double prior, double ratio, double velocity) {
+  const double assigned = ratio * prior;
+  const double sum = assigned + (1.0 - prior);
+  const double belief = assigned / sum;
+  if (belief * velocity > most_belief) return {most_belief, 1.0 - most_belief};
+  return {belief * velocity, (1.0 - prior) / sum + belief * (1.0 - velocity)};
+}
 
 }  // namespace
 
@@ -44,10 +49,11 @@ void published_beliefs(const std::vector<Evidence>& evidence, double* row, std::
   for (std::size_t i = 0; i < blobs; ++i) {
     const Evidence& e = evidence[i];
     // Bayes' rule step by step multiplies the odds step by step.
-    const double belief = std::min(posterior(untouched, e.color * e.position * e.size) * e.velocity, most_belief);
-    row[i] = belief;
-    // The factors of the steps telescope.
-    scales[i] = rescale(untouched, belief);
+    const Entry entry = posterior(untouched, e.color * e.position * e.size, e.velocity);
+    row[i] = entry.belief;
+    // What the others are multiplied by, eq. 8.19 as one fraction: the factors of the steps telescope. "Lost" is among
+    // the untouched, so that their value is at most a half.
+    scales[i] = entry.rest / (1.0 - untouched);
     untouched *= scales[i];
   }
   double later = 1.0;

@@ -65,4 +65,8 @@ ColorCoordinates color_difference(const ColorCoordinates& a, const ColorCoordina
   return d;
 }
 
+double color_distance(const Color& a, const Color& b) {
+  return std::hypot((a.red - b.red) / 255.0, (a.green - b.green) / 255.0, (a.blue - b.blue) / 255.0);
+}
+
 }  // namespace survtrack

@@ -9,9 +9,12 @@ namespace survtrack {
 const char* to_string(EventKind kind) {
   switch (kind) {
     case EventKind::track_started: return "track_started";
+    case EventKind::track_reentered: return "track_reentered";
     case EventKind::track_lost: return "track_lost";
     case EventKind::track_recovered: return "track_recovered";
     case EventKind::track_ended: return "track_ended";
+    case EventKind::merged: return "merged";
+    case EventKind::split: return "split";
     case EventKind::converged: return "converged";
     case EventKind::anomalous_speed: return "anomalous_speed";
     case EventKind::scene_changed: return "scene_changed";

@@ -11,6 +11,7 @@
 
 #include "offline/sparse_assignment.hpp"
 #include "offline/track_end.hpp"
+#include "survtrack/core/color_space.hpp"
 
 namespace survtrack {
 namespace {
@@ -59,7 +60,7 @@ std::optional<Link> join(const Piece& a, const Piece& b, const LinkOptions& opti
   link.speed_difference = std::hypot(change.x, change.y) / size_px;
   if (!(link.speed_difference <= options.max_speed_difference)) return {};
   const Color &c = a.end.mean_color, &d = b.start.mean_color;  // Narayana 2007, eq. 3.6
-  link.color_difference = std::hypot((d.red - c.red) / 255.0, (d.green - c.green) / 255.0, (d.blue - c.blue) / 255.0);
+  link.color_difference = color_distance(d, c);
   if (!(link.color_difference <= options.max_color_difference)) return {};
   link.cost = 0.25 * (part_of(link.gap_s, options.max_gap_s) + part_of(link.distance, farthest) +
                       part_of(link.speed_difference, options.max_speed_difference) +

@@ -104,7 +104,7 @@ const Config& Config::check() const {
   check_tiling(cleanup.tiling, "cleanup.tiling");
   if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
     throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
-                      "expected cost.model match_matrix, or filter.model kalman_cv or kalman_ca");
+                      "expected cost.model match_matrix, belief or distance, or filter.model kalman_cv or kalman_ca");
   }
   const auto* close = std::get_if<CloseMergeOptions>(&blobs.merge);
   const bool has_grid = std::holds_alternative<GridVicinityOptions>(vicinity);

@@ -14,6 +14,18 @@
 
 namespace survtrack {
 
+/// The values of a JSON text; `what` says what it should hold. Throws `InputError` naming `source`.
+inline nlohmann::ordered_json parse_json(const std::string& text, const std::string& source, const std::string& what) {
+  using Json = nlohmann::ordered_json;
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw InputError(source + ": is not JSON, at byte " + std::to_string(error.byte) + "; expected " + what);
+  } catch (const Json::exception&) {
+    throw InputError(source + ": holds a number that is too large; expected " + what);
+  }
+}
+
 /// An entry of a JSON file that knows its path; every error names it.
 class JsonReader {
  public:

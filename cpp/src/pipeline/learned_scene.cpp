@@ -163,14 +163,7 @@ std::string Tracker::learned_scene() const {
 }
 
 void Tracker::load_learned_scene(const std::string& json, const std::string& source) {
-  Json parsed;
-  try {
-    parsed = Json::parse(json);
-  } catch (const Json::parse_error& error) {
-    throw InputError(source + ": is not JSON, at byte " + std::to_string(error.byte) + "; expected a learned scene");
-  } catch (const Json::exception&) {
-    throw InputError(source + ": holds a number that is too large; expected a learned scene");
-  }
+  const Json parsed = parse_json(json, source, "a learned scene");
   const JsonReader scene(parsed, source);
   if (!scene.has("scale") && !scene.has("vicinity") && !scene.has("densities")) {
     scene.refuse("is no learned scene: has none of scale, vicinity and densities");

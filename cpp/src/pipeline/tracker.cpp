@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "pipeline/track_events.hpp"
 #include "survtrack/core/checks.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/tracking/lost_place.hpp"
@@ -16,41 +17,6 @@ namespace {
 
 constexpr std::size_t most_costs = 1'000'000;
 
-Event event_of(EventKind kind, const Track& track, const Detections& now) {
-  Event event;
-  event.kind = kind;
-  event.index = now.index;
-  event.time_s = now.time_s;
-  event.track_id = track.id;
-  event.position = track.position;
-  event.box = track.box;
-  event.position_covariance_px2 = track.position_covariance_px2;
-  const std::string name = "track " + std::to_string(track.id);
-  switch (kind) {
-    case EventKind::track_started: event.text = name + " started"; break;
-    case EventKind::track_lost: event.text = name + " was lost"; break;
-    case EventKind::track_recovered: event.text = name + " was found again"; break;
-    case EventKind::anomalous_speed: event.text = name + " moves unlike others there"; break;
-    default: event.text = name + " ended"; break;
-  }
-  return event;
-}
-
-/// A track's end, told from where it was measured last.
-Event end_of(const OpenTrack& row, LostPlace place, const Detections& now) {
-  Event event = event_of(EventKind::track_ended, row.track, now);
-  event.position = row.seen_position;
-  event.box = row.seen;
-  event.place = place;
-  switch (place) {
-    case LostPlace::border: event.text += ": it was lost at the border"; break;
-    case LostPlace::behind_object: event.text += ": it was lost behind another object"; break;
-    case LostPlace::open: event.text += ": it was lost in the open"; break;
-    case LostPlace::none: break;
-  }
-  return event;
-}
-
 bool contains(const std::vector<std::int64_t>& ids, std::int64_t id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
@@ -59,9 +25,10 @@ bool contains(const std::vector<std::int64_t>& ids, std::int64_t id) {
 
 Tracker::Tracker(const Config& config)
     : outputs_(config.check().outputs),
-      table_(config.filter, config.measurement, config.time_unit_s),
+      table_(config.filter, config.measurement, config.reentry, config.time_unit_s),
       matcher_(config.cost, config.assignment),
       lifecycle_(make_lifecycle(config.lifecycle)) {
+  if (const auto* shared = std::get_if<SharedBlobOptions>(&config.groups)) groups_.emplace(*shared);
   if (const auto* grid = std::get_if<GridVicinityOptions>(&config.vicinity)) vicinity_.emplace(*grid);
 }
 
@@ -141,11 +108,15 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
   predicted_ = false;
   if (detections.frame_width > 0 && detections.frame_height > 0) frame_size_ = cv::Size(detections.frame_width, detections.frame_height);
   matcher_.match(table_, detections, result.matches);
+  if (groups_) groups_->update(table_, detections, result.matches);
   was_lost_.assign(static_cast<std::size_t>(table_.size()), 0);
   for (int i = 0; i < table_.size(); ++i) {
     was_lost_[static_cast<std::size_t>(i)] = table_.row(i).track.status == TrackStatus::lost;
     const int detection = result.matches.detection_of_track[static_cast<std::size_t>(i)];
-    if (detection >= 0) {
+    const int shared = groups_ ? groups_->shared_detection(i) : -1;
+    if (shared >= 0) {
+      table_.share(i, shared, detections);
+    } else if (detection >= 0) {
       table_.match(i, detection, detections);
     } else {
       table_.miss(i);
@@ -176,7 +147,7 @@ void Tracker::report(const Detections& detections, TrackingResult& result) {
     const bool old = at < believed_before_.size() && believed_before_[at] != 0;
     const bool lost_before = old && was_lost_[at] != 0;
     const auto raise = [&](EventKind kind) { result.events.push_back(event_of(kind, track, detections)); };
-    if (!old) raise(EventKind::track_started);
+    if (!old) result.events.push_back(start_of(table_.row(i), detections));
     if (lost_before && track.status == TrackStatus::confirmed) raise(EventKind::track_recovered);
     if (old && !lost_before && track.lost_frames > 0) raise(EventKind::track_lost);
     if (vicinity_ && contains(vicinity_->anomalous(), track.id)) raise(EventKind::anomalous_speed);
@@ -184,7 +155,11 @@ void Tracker::report(const Detections& detections, TrackingResult& result) {
       result.events.push_back(end_of(table_.row(i), lost_place(table_, i, detections), detections));
     }
   }
-  raise_met(detections, result);
+  for (const Convergence& met : convergence_.met()) result.events.push_back(meeting_of(met, detections));
+  if (groups_) {
+    for (const GroupChange& change : groups_->split()) result.events.push_back(change_of(EventKind::split, change, detections));
+    for (const GroupChange& change : groups_->merged()) result.events.push_back(change_of(EventKind::merged, change, detections));
+  }
   std::sort(result.tracks.begin(), result.tracks.end(), [](const Track& a, const Track& b) { return a.id < b.id; });
   result.has_matrices = outputs_.cost_matrix;
   if (outputs_.cost_matrix) {
@@ -194,24 +169,6 @@ void Tracker::report(const Detections& detections, TrackingResult& result) {
   if (outputs_.vicinity) {
     result.vicinity.clear();
     for (const auto& [class_id, learned] : vicinity_->learned()) result.vicinity[class_id] = learned.grid;
-  }
-}
-
-void Tracker::raise_met(const Detections& detections, TrackingResult& result) const {
-  for (const Convergence& met : convergence_.met()) {
-    Event event;
-    event.kind = EventKind::converged;
-    event.index = detections.index;
-    event.time_s = detections.time_s;
-    event.track_id = met.track_ids.front();
-    event.other_track_ids.assign(met.track_ids.begin() + 1, met.track_ids.end());
-    const Detection& blob = detections.items[static_cast<std::size_t>(met.detection)];
-    event.position = blob.position;
-    event.box = blob.box;
-    event.text = "tracks " + std::to_string(event.track_id);
-    for (const std::int64_t id : event.other_track_ids) event.text += " and " + std::to_string(id);
-    event.text += " met in one blob";
-    result.events.push_back(event);
   }
 }
 
@@ -229,6 +186,7 @@ void Tracker::reset() {
   if (matcher_.belief()) matcher_.belief()->clear();
   if (vicinity_) vicinity_->clear();
   convergence_.clear();
+  if (groups_) groups_->clear();
   expectation_ = {};
   frame_size_.reset();
   scene_loaded_ = false;

@@ -19,7 +19,12 @@ int CountMedian::median_with(int count) {
 }
 
 void CountMedian::update(TrackTable& table, const Detections& detections, const Matches& matches) {
-  const int count = std::min(static_cast<int>(detections.items.size()), options_.max_contacts);
+  // Of contacts that share a blob each counts.
+  int seen = static_cast<int>(detections.items.size());
+  for (int i = 0; i < table.size(); ++i) {
+    seen += table.row(i).track.group != 0 && matches.detection_of_track[static_cast<std::size_t>(i)] < 0;
+  }
+  const int count = std::min(seen, options_.max_contacts);
   // Before anything was seen there is nothing to take the median of.
   if (counts_.empty() && count == 0) return;
   const int expected = median_with(count);

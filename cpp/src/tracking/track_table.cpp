@@ -13,11 +13,22 @@ namespace {
 constexpr double group_margin = 0.6;
 /// What moves slower, in object sizes per second, says nothing about the scene's scale: it may be a ghost.
 constexpr double scale_min_speed = 0.2;
+/// Variance of what is not measured: far beyond any frame.
+constexpr double unmeasured_px2 = 1e12;
+
+/// How far [low, low + length] has to move to lie in [from, from + whole], or about its middle where it is longer.
+double way_into(double low, double length, double from, double whole) {
+  if (length >= whole) return from + 0.5 * whole - (low + 0.5 * length);
+  return std::clamp(low, from, from + whole - length) - low;
+}
 
 }  // namespace
 
-TrackTable::TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, double time_unit_s)
-    : measurement_(measurement), filters_(make_filter_bank(filter)), time_unit_s_(time_unit_s) {}
+TrackTable::TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, const ReentryOptions& reentry,
+                       double time_unit_s)
+    : measurement_(measurement), filters_(make_filter_bank(filter)), time_unit_s_(time_unit_s) {
+  if (const auto* remember = std::get_if<RememberOptions>(&reentry)) memory_.emplace(*remember);
+}
 
 void TrackTable::predict(double time_s) {
   dt_s_ = started_ ? time_s - time_s_ : 0.0;
@@ -29,11 +40,11 @@ void TrackTable::predict(double time_s) {
     row.track.predicted_position = filters_->predicted_position(i);
     row.track.detection = -1;
   }
-  find_groups();
+  find_near();
 }
 
-void TrackTable::find_groups() {
-  for (OpenTrack& row : rows_) row.grouped = false;
+void TrackTable::find_near() {
+  for (OpenTrack& row : rows_) row.near_another = false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     for (std::size_t j = i + 1; j < rows_.size(); ++j) {
       OpenTrack& a = rows_[i];
@@ -42,7 +53,7 @@ void TrackTable::find_groups() {
       const Point d = a.track.predicted_position - b.track.predicted_position;
       if (std::abs(d.x) < group_margin * (a.width_px + b.width_px) &&
           std::abs(d.y) < group_margin * (a.height_px + b.height_px)) {
-        a.grouped = b.grouped = true;
+        a.near_another = b.near_another = true;
       }
     }
   }
@@ -54,7 +65,7 @@ Observation TrackTable::observe(int i, const Detection& detection) const {
 
 TrackTable::Motion TrackTable::motion(int i) const {
   const Track& track = row(i).track;
-  const double elapsed_s = time_s_ - track.end_time_s;
+  const double elapsed_s = time_s_ - row(i).seen_time_s;
   if (track.matched_frames < 2 || elapsed_s <= 0.0) return {};
   return {true, row(i).seen_position, time_unit_s_ * track.velocity_px_per_s, time_unit_s_ / elapsed_s};
 }
@@ -64,7 +75,8 @@ void TrackTable::match(int i, int detection, const Detections& detections) {
   const Detection& seen = detections.items[static_cast<std::size_t>(detection)];
   const Observation observation = observe(i, seen);
   row.step_px = observation.position - row.seen_position;
-  row.step_s = detections.time_s - row.track.end_time_s;
+  row.step_s = detections.time_s - row.seen_time_s;
+  row.seen_time_s = detections.time_s;
   filters_->correct(i, observation.position, observation.extra_px2);
   learn_size(measurement_, row, seen, dt_s_);
   filters_->set_object_size(i, row.size_px());
@@ -77,14 +89,38 @@ void TrackTable::match(int i, int detection, const Detections& detections) {
   track.end_index = detections.index;
   track.end_time_s = detections.time_s;
   refresh(i);
+  row.seen_velocity_px_per_s = track.velocity_px_per_s;
   const Point from_start = track.position - row.start_position;
   row.travelled_px = std::max(row.travelled_px, std::hypot(from_start.x, from_start.y));
   const double speed = std::hypot(track.velocity_px_per_s.x, track.velocity_px_per_s.y);
-  const bool alone = !row.grouped && !seen.shared;
+  const bool alone = !row.near_another && !seen.shared;
   if (alone && row.believed() && detections.frame_height > 0 && speed > scale_min_speed * row.size_px() &&
       !touches_border(seen.box, detections.frame_width, detections.frame_height)) {
     scale_.add(seen.box, detections.frame_height);
   }
+}
+
+void TrackTable::share(int i, int detection, const Detections& detections) {
+  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+  const Box& blob = detections.items[static_cast<std::size_t>(detection)].box;
+  const Box predicted = predicted_box(i);
+  const Point way{way_into(predicted.x, predicted.width, blob.x, blob.width),
+                  way_into(predicted.y, predicted.height, blob.y, blob.height)};
+  if (way.x != 0.0 || way.y != 0.0) {
+    // All places in the box are equally likely: within it nothing is measured, from outside its edge is.
+    const Symmetric2 extra_px2{way.x == 0.0 ? unmeasured_px2 : 0.0, 0.0, way.y == 0.0 ? unmeasured_px2 : 0.0};
+    filters_->correct(i, predicted_position(i) + way, extra_px2);
+  }
+  row.step_px = {};
+  row.step_s = 0.0;
+  Track& track = row.track;
+  track.detection = detection;
+  track.lost_frames = 0;
+  ++track.age_frames;
+  ++track.matched_frames;
+  track.end_index = detections.index;
+  track.end_time_s = detections.time_s;
+  refresh(i);
 }
 
 void TrackTable::miss(int i) {
@@ -115,7 +151,7 @@ int TrackTable::start(int detection, const Detections& detections) {
   row.track.detection = detection;
   row.track.matched_frames = 1;
   row.track.start_index = row.track.end_index = detections.index;
-  row.track.start_time_s = row.track.end_time_s = detections.time_s;
+  row.track.start_time_s = row.track.end_time_s = row.seen_time_s = detections.time_s;
   filters_->add(row.start_position, row.size_px());
   rows_.push_back(row);
   refresh(size() - 1);
@@ -123,14 +159,18 @@ int TrackTable::start(int detection, const Detections& detections) {
 }
 
 void TrackTable::believe(int i) {
-  Track& track = rows_[static_cast<std::size_t>(i)].track;
-  track.id = ++last_id_;
+  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+  Track& track = row.track;
+  const auto known = memory_ ? memory_->claim(row) : std::nullopt;
+  track.id = known ? known->id : ++last_id_;
+  row.reentry_confidence = known ? known->confidence : 0.0;
   track.status = TrackStatus::confirmed;
 }
 
 void TrackTable::remove_closed() {
   for (int i = size() - 1; i >= 0; --i) {
     if (row(i).track.status != TrackStatus::closed) continue;
+    if (memory_ && row(i).believed()) memory_->remember(row(i));
     filters_->remove(i);
     rows_.erase(rows_.begin() + i);
   }
@@ -140,6 +180,7 @@ void TrackTable::clear() {
   filters_->clear();
   rows_.clear();
   scale_.clear();
+  if (memory_) memory_->clear();
   last_id_ = 0;
   started_ = false;
 }

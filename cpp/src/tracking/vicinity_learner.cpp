@@ -73,7 +73,6 @@ void VicinityLearner::update(const TrackTable& table, const Detections& detectio
   for (int i = 0; i < table.size(); ++i) {
     const OpenTrack& row = table.row(i);
     const Track& track = row.track;
-    if (track.status == TrackStatus::closed) strange_frames_.erase(track.id);
     if (!row.believed() || track.detection < 0 || row.step_s <= 0.0) continue;
     const Detection& seen = detections.items[static_cast<std::size_t>(track.detection)];
     LearnedVicinity& learned = of_class(seen.class_id, detections);
@@ -87,6 +86,9 @@ void VicinityLearner::update(const TrackTable& table, const Detections& detectio
     learn_factor(learned, cell, step);
     // What is anomalous must not become the rule before it was told.
     if (strange == 0 || strange > options_.anomaly_frames) learn_speed(cell, length);
+  }
+  for (int i = 0; i < table.size(); ++i) {
+    if (table.row(i).track.status == TrackStatus::closed) strange_frames_.erase(table.row(i).track.id);
   }
 }
 

@@ -77,8 +77,8 @@ def execute(
     """Run it all and print the summary; returns the exit code of an interrupted run, else 0.
 
     Raises:
-        SurvtrackError, OSError: what went wrong; what was seen before is in the folder, and
-            run.json there says that it is not complete.
+        SurvtrackError, OSError: what went wrong. Before the first result the folder is as it was;
+            later what was seen before is in it, and run.json says that it is not complete.
     """
     pipeline = survtrack.Pipeline(config)
     if request.scene is not None:
@@ -95,12 +95,17 @@ def execute(
     folder = RunFolder(request.out)
     sinks = make_sinks(folder, source, pipeline)
     total = source.selection.expected_count(source.frame_count_declared)
+    if total is not None and (short := _too_short(config, source, total)):
+        raise short
     with (
         Prefetch(source) as frames,
         interrupted_by_signal(frames.interrupt) as signals,
         show_progress(total, quiet=request.quiet) as progress,
     ):
-        summary = run(frames, pipeline, sinks, progress)
+        summary = run(frames, pipeline, sinks, progress, folder.make)
+    if not summary.begun:
+        return _nothing_begun(summary, signals)
+    summary.error = summary.error or _too_short(config, source, summary.frames)
     facts = run_facts(request, source, summary)
     facts["outputs"] = [name for sink in sinks for name in sink.outputs]
     _finish(folder, facts, config, summary)
@@ -108,9 +113,33 @@ def execute(
     if isinstance(summary.error, KeyboardInterrupt):
         when = "" if summary.last_index is None else f" after frame {summary.last_index + 1}"
         print_error(f"interrupted{when}; what was found until then is in {request.out}")
-        return 128 + signals[0] if signals else INTERRUPTED
+        return _interrupted(signals)
     summary.raise_error()
     return 0
+
+
+def _too_short(config: "Config", source: Source, count: int) -> InputError | None:
+    """What is wrong when the flow to an earlier frame has none to start from; None when it has."""
+    segmenter = config.segmenter
+    if not isinstance(segmenter, survtrack.HornSchunckOptions) or count > segmenter.frames_back:
+        return None
+    return InputError(
+        f"segmenter.frames_back: {segmenter.frames_back} is not allowed with the {count} "
+        f"frame(s) of {source.name}; expected fewer than there are"
+    )
+
+
+def _nothing_begun(summary: RunSummary, signals: list[int]) -> int:
+    """The end of a run without a result; nothing was written, and an earlier run is kept."""
+    if isinstance(summary.error, KeyboardInterrupt):
+        print_error("interrupted before the first frame was done; nothing was written")
+        return _interrupted(signals)
+    summary.raise_error()
+    raise InputError("the source gave no frames; nothing was written")
+
+
+def _interrupted(signals: list[int]) -> int:
+    return 128 + signals[0] if signals else INTERRUPTED
 
 
 def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str, Any]:

@@ -3,17 +3,13 @@
 """The command `survtrack link`."""
 
 import json
-import tomllib
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
 from survtrack._core import LinkOptions
 from survtrack.cli import options as shared
-from survtrack.errors import ConfigError, InputError
-from survtrack.evaluation.files import read_bytes
 from survtrack.offline import link_run
 from survtrack.sinks.folder import CONFIG, MANIFEST
 
@@ -54,7 +50,7 @@ def link(
     Writes DIR/tracks.txt (MOT), tracks.csv, link.jsonl (why tracks were joined or dropped),
     config.toml and run.json; RUN_DIR stays as it is.
     """
-    options = resolve_options(config, assignments or [])
+    options = shared.resolve_options(LinkOptions(), config, assignments or [])
     facts = link_run(run_dir, out, options)
     place = run_dir / "linked" if out is None else out
     if as_json:
@@ -67,47 +63,3 @@ def link(
             f"{facts['dropped']}; left: {facts['tracks']}"
         )
         print(f"{place}: {', '.join([*facts['outputs'], CONFIG, MANIFEST])}")
-
-
-def resolve_options(config: Path | None, assignments: list[str]) -> LinkOptions:
-    """The defaults, with the config file on top and then each --set, left to right.
-
-    Raises:
-        ConfigError: an unknown option or value, or a file that is no TOML.
-        InputError: the config file cannot be read.
-    """
-    options = LinkOptions()
-    if config is not None:
-        options = _replaced(options, _read_toml(config), f"{config}: ")
-    for assignment in assignments:
-        name, equals, text = (part.strip() for part in assignment.partition("="))
-        if not equals or not name:
-            raise ConfigError(
-                f'"{assignment}" is not allowed; expected option=value, such as max_gap_s=2'
-            )
-        options = _replaced(options, {name: _value(text)})
-    return options
-
-
-def _replaced(options: LinkOptions, values: Mapping[str, Any], where: str = "") -> LinkOptions:
-    try:
-        return options.replace(**values)
-    except ConfigError as error:
-        raise ConfigError(where + str(error).removeprefix("LinkOptions.")) from error
-
-
-def _read_toml(path: Path) -> dict[str, Any]:
-    try:
-        return tomllib.loads(read_bytes(path).decode("utf-8"))
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: is not UTF-8 text") from error
-    except tomllib.TOMLDecodeError as error:
-        raise ConfigError(f"{path}: {error}") from error
-
-
-def _value(text: str) -> Any:
-    """As TOML reads it; what is no value of TOML is text, which no option takes."""
-    try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
-        return text

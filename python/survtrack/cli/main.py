@@ -12,6 +12,7 @@ import survtrack
 from survtrack.cli.evaluate import evaluate, evaluate_masks
 from survtrack.cli.link import link
 from survtrack.cli.messages import exit_code, one_line, print_error
+from survtrack.cli.patterns import patterns
 from survtrack.cli.presets import presets
 from survtrack.cli.reproduce import reproduce
 from survtrack.cli.run import run
@@ -29,6 +30,7 @@ app = typer.Typer(
 app.command("run")(run)
 app.command("segment")(segment)
 app.command("link")(link)
+app.command("patterns")(patterns)
 app.command("evaluate")(evaluate)
 app.command("evaluate-masks")(evaluate_masks)
 app.command("reproduce")(reproduce)

@@ -3,12 +3,15 @@
 """Options that several commands share."""
 
 import re
+import tomllib
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Protocol, Self, TypeVar
 
 import typer
 
-from survtrack.errors import UsageError
+from survtrack.errors import ConfigError, InputError, UsageError
+from survtrack.evaluation.files import read_bytes
 
 SourceArgument = Annotated[
     str,
@@ -74,3 +77,58 @@ def parse_size(text: str | None, option: str = "--resize") -> tuple[int, int] | 
     if match is None:
         raise UsageError(f"{option} {text}: width x height in pixels expected, such as 640x480")
     return int(match[1]), int(match[2])
+
+
+class Options(Protocol):
+    """An option class of the core, such as LinkOptions."""
+
+    def replace(self, **options: object) -> Self:
+        """A copy with some options changed."""
+
+
+OptionsT = TypeVar("OptionsT", bound=Options)
+
+
+def resolve_options(options: OptionsT, config: Path | None, assignments: list[str]) -> OptionsT:
+    """The options, with the config file on top and then each --set, left to right.
+
+    Raises:
+        ConfigError: an unknown option or value, or a file that is no TOML.
+        InputError: the config file cannot be read.
+    """
+    if config is not None:
+        options = _replaced(options, _read_toml(config), f"{config}: ")
+    for assignment in assignments:
+        options = _replaced(options, dict([parse_assignment(assignment)]))
+    return options
+
+
+def parse_assignment(assignment: str) -> tuple[str, Any]:
+    """Name and value of "name=value"; the value as TOML reads it, else its text.
+
+    Raises:
+        ConfigError: it has another form.
+    """
+    name, equals, text = (part.strip() for part in assignment.partition("="))
+    if not equals or not name:
+        raise ConfigError(f'--set "{assignment}" is not allowed; expected option=value')
+    try:
+        return name, tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return name, text
+
+
+def _replaced(options: OptionsT, values: Mapping[str, Any], where: str = "") -> OptionsT:
+    try:
+        return options.replace(**values)
+    except ConfigError as error:
+        raise ConfigError(where + str(error).removeprefix(f"{type(options).__name__}.")) from error
+
+
+def _read_toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(read_bytes(path).decode("utf-8"))
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: is not UTF-8 text") from error
+    except tomllib.TOMLDecodeError as error:
+        raise ConfigError(f"{path}: {error}") from error

@@ -69,7 +69,7 @@ def reproduce(
     ] = None,
     quiet: options.QuietOption = False,
 ) -> None:
-    """Run a published experiment again, on your footage or on public sets.
+    """Run a published experiment again, on your footage, on public sets or on synthetic scenes.
 
     Writes DIR/report.md, DIR/plots and, when they are whole, DIR/results.json.
     """
@@ -78,6 +78,7 @@ def reproduce(
     datasets = _datasets(experiment, source, truth, offset, fps, data)
     require_matplotlib()
     folder = ReportFolder(out)
+    _measure_made(experiment, quiet)
     for number, dataset in enumerate(datasets, start=1):
         if not quiet:
             print(
@@ -89,7 +90,8 @@ def reproduce(
     facts = experiment.write(folder)
     folder.finish({"experiment": name, "versions": _versions(), **facts})
     if not quiet:
-        print(f"{experiment.runs} runs on each of {', '.join(each.name for each in datasets)}")
+        if datasets:
+            print(f"{experiment.runs} runs on each of {', '.join(each.name for each in datasets)}")
         print(f"{out}: {REPORT}, {RESULTS}, {len(folder.plots)} plots")
 
 
@@ -101,7 +103,8 @@ def _datasets(
     fps: float | None,
     data: Path | None,
 ) -> list[Dataset]:
-    """The set that is given, or the public ones that are there; UsageError for anything else."""
+    """The set that is given, or the public ones that are there; none for an experiment that can do
+    without; UsageError for anything else."""
     if source is not None and truth is not None:
         if data is not None:
             raise UsageError("--data: --source names the footage already; give one of the two")
@@ -112,11 +115,27 @@ def _datasets(
         if value is not None:
             raise UsageError(f"{option} {value}: belongs to --source, which is missing")
     named = data or (Path(os.environ[DATA]) if os.environ.get(DATA) else None)
+    if named is None and experiment.made_frames:
+        return []
     if named is None:
         raise UsageError(
             f"no footage: give --source and --truth, or --data (or {DATA}) for the public sets"
         )
     return find_datasets(named, experiment.sets)
+
+
+def _measure_made(experiment: Experiment, quiet: bool) -> None:
+    """Run what needs no footage."""
+    total, done = experiment.made_frames, 0
+    with show_progress(total, quiet=quiet or total == 0) as progress:
+
+        def tick(frames: int) -> None:
+            nonlocal done
+            done += frames
+            if progress is not None:
+                progress(done)
+
+        experiment.measure_made(tick)
 
 
 def _measure(experiment: Experiment, dataset: Dataset, size: tuple[int, int], quiet: bool) -> None:

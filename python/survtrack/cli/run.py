@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from survtrack._core import HornSchunckOptions
 from survtrack.cli import options
 from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.drawing import VIEW_NAMES, VIEW_OUTPUTS, Views
@@ -24,7 +25,7 @@ from survtrack.sinks import (
 from survtrack.sources import Source
 
 if TYPE_CHECKING:
-    from survtrack._core import Pipeline
+    from survtrack._core import Config, Pipeline
 
 VideoOption = Annotated[bool, typer.Option("--video", help="Also write annotated.mp4.")]
 ViewsOption = Annotated[
@@ -87,6 +88,7 @@ def run(
             "--views vicinity: shows a grid that this config does not have; choose one of the "
             "narayana2007 presets, or add --set vicinity.model=grid"
         )
+    flow_threshold_px = _flow_threshold_px(resolved, names)
     for output in {VIEW_OUTPUTS[name] for name in names if name in VIEW_OUTPUTS}:
         resolved.set(f"outputs.{output}=true")
     if matrix:
@@ -104,7 +106,8 @@ def run(
             sinks.append(MatrixLines(path / "matrices.jsonl"))
         if video:
             rate = source.fps / source.selection.step
-            sinks.append(AnnotatedVideo(path / "annotated.mp4", Views(names), fps=rate))
+            render = Views(names, flow_threshold_px)
+            sinks.append(AnnotatedVideo(path / "annotated.mp4", render, fps=rate))
         return sinks
 
     return execute(request, resolved, make_sinks)
@@ -119,3 +122,21 @@ def _view_names(video: bool, views: str | None) -> list[str]:
     names = [name.strip() for name in views.split(",")]
     Views(names)
     return names
+
+
+def _flow_threshold_px(config: "Config", names: list[str]) -> float:
+    """Above which flow is foreground, px; refuses views that the segmenter has nothing for."""
+    if isinstance(config.segmenter, HornSchunckOptions):
+        if "background" in names:
+            raise UsageError(
+                "--views background: the segmenter horn_schunck has none; leave it out, or choose "
+                "another with --set segmenter.model=..."
+            )
+        return config.segmenter.magnitude_threshold
+    for name in names:
+        if VIEW_OUTPUTS.get(name) == "flow":
+            raise UsageError(
+                f"--views {name}: shows a flow field that this config does not have; "
+                "add --set segmenter.model=horn_schunck"
+            )
+    return 0.0

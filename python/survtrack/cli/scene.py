@@ -3,15 +3,13 @@
 """The command `survtrack scene`."""
 
 import json
-import tomllib
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
 from survtrack.cli import options
 from survtrack.cli.progress import show_progress
-from survtrack.errors import UsageError
 
 
 def scene(
@@ -68,7 +66,7 @@ def scene(
         frame_count=frames,
         fps=fps,
         seed=seed,
-        **dict(_parsed(each) for each in assignments or []),
+        **dict(options.parse_assignment(each) for each in assignments or []),
     )
     with show_progress(made.frame_count, quiet=quiet) as progress:
         scenes.write_scene(made, out, kind=kind, progress=progress)
@@ -99,14 +97,3 @@ def _list_options(name: str) -> None:
 def _as_toml(value: object) -> str:
     """As `--set` takes it."""
     return json.dumps(value) if isinstance(value, tuple) else str(value)
-
-
-def _parsed(assignment: str) -> tuple[str, Any]:
-    """Name and value of "name=value"; the value as TOML reads it, else a word."""
-    name, equals, text = (part.strip() for part in assignment.partition("="))
-    if not name or not equals:
-        raise UsageError(f'--set "{assignment}": option=value expected, such as noise_sigma=4')
-    try:
-        return name, tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
-        return name, text

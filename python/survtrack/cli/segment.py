@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from survtrack.cli import options
 from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.sinks import MaskFolder, RunFolder, Sink
-from survtrack.sources import Source
+from survtrack.sources import ImageSource, Source
 
 if TYPE_CHECKING:
     from survtrack._core import Pipeline
@@ -40,6 +40,9 @@ def segment(
 
     def make_sinks(folder: RunFolder, source: Source, pipeline: "Pipeline") -> list[Sink]:
         folder.refuse_foreign_masks()
-        return [MaskFolder(folder.path, source.file_name)]
+        masks = MaskFolder(folder.path, source.file_name)
+        if isinstance(source, ImageSource):
+            masks.check_names(source.selection.indices(source.frame_count_declared))
+        return [masks]
 
     return execute(request, resolve_config(request), make_sinks)

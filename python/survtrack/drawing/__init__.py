@@ -6,6 +6,10 @@ from survtrack.drawing.blobs import BlobRenderer
 from survtrack.drawing.boxes import BoxRenderer
 from survtrack.drawing.colors import Color, color_of_id
 from survtrack.drawing.ends import LostContactRenderer
+from survtrack.drawing.flow_arrows import FlowRenderer
+from survtrack.drawing.flow_wheel import FlowColorRenderer, flow_colors
+from survtrack.drawing.intensity import IntensityRenderer
+from survtrack.drawing.markers import MarkerRenderer
 from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.scene import Renderer, as_scene
 from survtrack.drawing.sheet import contact_sheet
@@ -19,7 +23,11 @@ __all__ = [
     "BlobRenderer",
     "BoxRenderer",
     "Color",
+    "FlowColorRenderer",
+    "FlowRenderer",
+    "IntensityRenderer",
     "LostContactRenderer",
+    "MarkerRenderer",
     "MatrixRenderer",
     "Renderer",
     "TrailRenderer",
@@ -28,4 +36,5 @@ __all__ = [
     "as_scene",
     "color_of_id",
     "contact_sheet",
+    "flow_colors",
 ]

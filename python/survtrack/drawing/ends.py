@@ -64,5 +64,5 @@ def _draw(scene: Scene, end: _End) -> None:
         round(min(max(end.position[1], 0), height - 1)),
     )
     size = 12 * style.line
-    cv2.drawMarker(scene, center, color, cv2.MARKER_TILTED_CROSS, size, style.line)
+    cv2.drawMarker(scene, center, color, cv2.MARKER_TILTED_CROSS, size, style.line + 1)
     draw_label(scene, f"{end.track_id} {end.word}", (center[0] + size // 2, center[1]), color)

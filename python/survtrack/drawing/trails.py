@@ -14,6 +14,8 @@ from survtrack.errors import UsageError
 if TYPE_CHECKING:
     from survtrack._core import FrameResult
 
+FARTHEST_PX = 1e6  # in 16ths it still fits OpenCV's 32 bits, and their differences too
+
 
 class TrailRenderer:
     """A line through the last positions of every reported track, thinner where it is older.
@@ -48,8 +50,13 @@ def _draw_trail(scene: Scene, positions: "deque[tuple[float, float]]", track_id:
     import cv2
 
     line = Style.of(scene).line
-    # Four bits below the pixel: a slow track's trail is smooth.
-    points = (np.array(positions) * 16).round().astype(np.int32).reshape(-1, 1, 2)
+    # Four bits below the pixel: a slow track's trail is smooth. A prediction can be anywhere.
+    points = (
+        (np.clip(positions, -FARTHEST_PX, FARTHEST_PX) * 16)
+        .round()
+        .astype(np.int32)
+        .reshape(-1, 1, 2)
+    )
     older, newer = points[: len(points) // 2 + 1], points[len(points) // 2 :]
     color = color_of_id(track_id)
     cv2.polylines(scene, [older], False, color, max(1, line // 2), cv2.LINE_AA, 4)

@@ -9,6 +9,11 @@ from survtrack.drawing.blobs import BlobRenderer
 from survtrack.drawing.boxes import BoxRenderer
 from survtrack.drawing.colors import BLACK
 from survtrack.drawing.ends import LostContactRenderer
+from survtrack.drawing.flow_arrows import FlowRenderer
+from survtrack.drawing.flow_field import THRESHOLD_PX
+from survtrack.drawing.flow_wheel import FlowColorRenderer
+from survtrack.drawing.intensity import IntensityRenderer
+from survtrack.drawing.markers import MarkerRenderer
 from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.scene import Renderer, Scene, as_scene, draw_label
 from survtrack.drawing.sheet import grid
@@ -19,9 +24,19 @@ from survtrack.errors import UsageError
 if TYPE_CHECKING:
     from survtrack._core import FrameResult
 
-VIEW_NAMES = ("frame", "mask", "background", "blobs", "tracks", "matrix", "vicinity")
+VIEW_NAMES = (
+    *("frame", "mask", "background", "blobs", "tracks", "matrix", "vicinity"),
+    *("intensity", "flow", "flow_color", "boxes", "markers", "covariance", "lost_contacts"),
+)
 # The extra outputs that some views show.
-VIEW_OUTPUTS = {"background": "background", "matrix": "cost_matrix", "vicinity": "vicinity"}
+VIEW_OUTPUTS = {
+    "background": "background",
+    "matrix": "cost_matrix",
+    "vicinity": "vicinity",
+    "flow": "flow",
+    "flow_color": "flow",
+}
+COVERAGE = 0.95
 
 
 class Views:
@@ -31,12 +46,15 @@ class Views:
     belongs to one run, in the order of its frames.
     """
 
-    def __init__(self, names: Sequence[str] = ("tracks",)) -> None:
+    def __init__(
+        self, names: Sequence[str] = ("tracks",), flow_threshold_px: float = THRESHOLD_PX
+    ) -> None:
         """Args:
         names: one or more of VIEW_NAMES, in the order they are shown, none twice.
+        flow_threshold_px: flow by no more has no arrow, px a frame pair; 0 or more.
 
         Raises:
-            UsageError: an unknown name, none, or one twice.
+            UsageError: an unknown name, none, or one twice; a threshold out of its range.
         """
         for name in names:
             if name not in VIEW_NAMES:
@@ -49,6 +67,13 @@ class Views:
             "tracks": (TrailRenderer(), BoxRenderer(), LostContactRenderer()),
             "matrix": (MatrixRenderer(),),
             "vicinity": (VicinityRenderer(),),
+            "intensity": (IntensityRenderer(),),
+            "flow": (FlowRenderer(flow_threshold_px),),
+            "flow_color": (FlowColorRenderer(flow_threshold_px),),
+            "boxes": (BoxRenderer(),),
+            "markers": (MarkerRenderer(),),
+            "covariance": (MarkerRenderer(COVERAGE),),
+            "lost_contacts": (LostContactRenderer(),),
         }
 
     def __call__(self, frame: Scene, result: "FrameResult") -> Scene:

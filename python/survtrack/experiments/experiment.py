@@ -26,6 +26,13 @@ class Experiment(Protocol):
     def runs(self) -> int:
         """How many times each set goes through a pipeline."""
 
+    @property
+    def made_frames(self) -> int:
+        """Synthetic frames that go through a tracker; with any, it can do without footage."""
+
+    def measure_made(self, tick: Callable[[int], None]) -> None:
+        """Run all that needs no footage, first; `tick` gets the number of frames of each run."""
+
     def measure(self, footage: "Footage", tick: Callable[[], None]) -> None:
         """Run everything on one set and remember the numbers; `tick` is called after each run."""
 

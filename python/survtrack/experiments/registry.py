@@ -7,8 +7,14 @@ from collections.abc import Callable
 from survtrack.errors import UsageError
 from survtrack.experiments.experiment import Experiment
 from survtrack.experiments.narayana2007 import Narayana2007
+from survtrack.experiments.semko2007 import Semko2007
+from survtrack.experiments.suliman2010 import Suliman2010
 
-EXPERIMENTS: dict[str, Callable[[], Experiment]] = {"narayana2007": Narayana2007}
+EXPERIMENTS: dict[str, Callable[[], Experiment]] = {
+    "narayana2007": Narayana2007,
+    "semko2007": Semko2007,
+    "suliman2010": Suliman2010,
+}
 
 
 def make_experiment(name: str) -> Experiment:

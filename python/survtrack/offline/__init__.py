@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""What is done with the tracks of a run that is over: join broken ones, drop too short ones.
+"""What is done with the tracks of a run that is over: join broken ones, learn where they go.
 
-`survtrack.link_tracks` works on tracks in memory, `link_run` on the folder that a run left.
+`survtrack.link_tracks` and `survtrack.learn_patterns` work on tracks in memory, `link_run` and
+`patterns_of_run` on the folder that a run left.
 """
 
 from survtrack.offline.linking import link_run
+from survtrack.offline.patterns import patterns_of_run, read_patterns
 from survtrack.offline.tracks_table import TracksTable, read_tracks_csv
 
-__all__ = ["TracksTable", "link_run", "read_tracks_csv"]
+__all__ = ["TracksTable", "link_run", "patterns_of_run", "read_patterns", "read_tracks_csv"]

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import survtrack
-from survtrack._core import Linked, LinkOptions, link_tracks
+from survtrack._core import Linked, LinkOptions, PatternOptions, link_tracks
 from survtrack.errors import InputError, UsageError
 from survtrack.evaluation.files import StrPath, read_bytes, require_folder
 from survtrack.offline.tracks_table import BOX, TracksTable, read_tracks_csv
@@ -59,7 +59,7 @@ def link_run(
     if place.resolve() == run_dir.resolve():
         raise UsageError(f"{place}: is the run's own folder; its tracks would be overwritten")
     options = LinkOptions() if options is None else options
-    run_facts = _facts_of_run(run_dir)
+    run_facts = facts_of_run(run_dir)
     table = read_tracks_csv(run_dir / TRACKS_CSV)
     history = table.history()
     linked = link_tracks(history, options)
@@ -76,6 +76,7 @@ def link_run(
         "outputs": list(texts),
     }
     folder = RunFolder(place)
+    folder.make()
     # Were the writing cut short, the run.json of an earlier run would speak of what is not its own.
     (place / MANIFEST).unlink(missing_ok=True)
     for name, text in texts.items():
@@ -84,15 +85,15 @@ def link_run(
     return facts
 
 
-def options_as_toml(options: LinkOptions) -> str:
+def options_as_toml(options: LinkOptions | PatternOptions) -> str:
     """The options as a TOML file, each with its meaning and unit."""
     return "".join(
-        f"{name} = {json.dumps(value)}  # {getattr(LinkOptions, name).__doc__}\n"
+        f"{name} = {json.dumps(value)}  # {getattr(type(options), name).__doc__}\n"
         for name, value in options.to_dict().items()
     )
 
 
-def _facts_of_run(run_dir: Path) -> dict[str, Any]:
+def facts_of_run(run_dir: Path) -> dict[str, Any]:
     """What run.json says; raises InputError when that is no word of a whole tracks.csv."""
     path = run_dir / MANIFEST
     if not path.exists():
@@ -121,7 +122,7 @@ def _texts(table: TracksTable, linked: Linked) -> dict[str, str]:
     mot = [",".join(cells[place].strip() for place in mot_places) for cells in rows]
     return {
         "tracks.txt": "".join(f"{line},1,-1,-1,-1\n" for line in mot),
-        TRACKS_CSV: _csv_text([list(table.columns), *rows]),
+        TRACKS_CSV: csv_text([list(table.columns), *rows]),
         "link.jsonl": "".join(f"{json.dumps(line)}\n" for line in decisions(linked)),
     }
 
@@ -136,7 +137,8 @@ def _new_ids(table: TracksTable, linked: Linked) -> dict[int, int]:
     return {row: identity for row, identity in enumerate(ids) if identity not in dropped}
 
 
-def _csv_text(rows: Iterable[list[str]]) -> str:
+def csv_text(rows: Iterable[list[str]]) -> str:
+    """Lines of CSV, quoted where a cell needs it."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 class Sink(Protocol):
     """Takes the results of a run, one frame after the other.
 
-    On entering it opens NAME.part, so that a place that cannot be written shows before the first
-    frame. On leaving, for whatever reason, it finishes what was written and renames it to NAME: a
+    On entering it opens NAME.part, so that a place that cannot be written shows with the first
+    result. On leaving, for whatever reason, it finishes what was written and renames it to NAME: a
     file called NAME is never half a file. Only when writing itself failed there is no NAME.
     """
 

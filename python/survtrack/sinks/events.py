@@ -19,8 +19,8 @@ class EventLines(TextSink):
 
     Keys: frame (from 1, as in tracks.txt), time_s, kind, track_id, other_track_ids, position
     [x, y] and box [left, top, width, height] in pixels, position_covariance_px2 [xx, xy, yy], place
-    (border, behind_object or open: where a track that ended was lost), text. What does not apply
-    is null.
+    (border, behind_object or open: where a track that ended was lost), confidence (of a track that
+    came back: that it is the same, 0 to 1), text. What does not apply is null.
     """
 
     def write(self, frame: "Frame", result: "FrameResult") -> None:
@@ -48,6 +48,7 @@ def event_as_dict(event: "Event") -> dict[str, object]:
         "box": _numbers(box.x, box.y, box.width, box.height) if concerns_track else None,
         "position_covariance_px2": _covariance(event) if concerns_track else None,
         "place": None if event.place.name == "none" else event.place.name,
+        "confidence": _confidence(event),
         "text": event.text,
     }
 
@@ -55,6 +56,10 @@ def event_as_dict(event: "Event") -> dict[str, object]:
 def _covariance(event: "Event") -> list[float] | None:
     matrix = event.position_covariance_px2
     return _numbers(matrix[0, 0], matrix[0, 1], matrix[1, 1])
+
+
+def _confidence(event: "Event") -> float | None:
+    return round(event.confidence, 3) if event.kind.name == "track_reentered" else None
 
 
 def _numbers(*values: float) -> list[float] | None:

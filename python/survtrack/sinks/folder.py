@@ -22,24 +22,30 @@ OUTPUTS = (
     "matrices.jsonl",
     "scene.json",
     "link.jsonl",
+    "patterns.json",
+    "activities.csv",
+    "patterns.png",
     "annotated.mp4",
     MASK_GLOB,
 )
 
 
 class RunFolder:
-    """Output folder, made when missing. It belongs to the last run that ended in it.
+    """Output folder. It belongs to the last run that ended in it.
 
     The outputs of an earlier run stay until those of this one are put in place; finish() then
     removes the ones that this run did not write, so that nothing old poses as part of it.
     """
 
     def __init__(self, path: Path | str) -> None:
-        """Raises OSError that names the folder when it cannot be made."""
+        """Looks at what an earlier run left; changes nothing."""
         self.path = Path(path)
+        self._earlier = self._outputs_of_earlier_run()
+
+    def make(self) -> None:
+        """Make the folder when it is missing; raises OSError that names it."""
         with naming(self.path):
             self.path.mkdir(parents=True, exist_ok=True)
-        self._earlier = self._outputs_of_earlier_run()
 
     def refuse_foreign_masks(self) -> None:
         """Raise UsageError when there are masks that no run of survtrack says are its own."""

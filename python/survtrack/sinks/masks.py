@@ -5,7 +5,7 @@
 import os
 import re
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
@@ -106,6 +106,11 @@ class MaskFolder:
         except OSError:
             path.unlink(missing_ok=True)
             raise
+
+    def check_names(self, indices: Iterable[int]) -> None:
+        """Raise the InputError that write() would for the name of one of these frames."""
+        for index in indices:
+            self._claim(index)
 
     def _claim(self, index: int) -> str:
         file_name = self._file_name(index)

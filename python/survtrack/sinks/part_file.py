@@ -87,3 +87,15 @@ def write_whole(path: Path, text: str) -> None:
         file.write(text)
     finally:
         file.finish()
+
+
+def write_whole_bytes(path: Path, data: bytes) -> None:
+    """The same for what is no text; no part of it is left when it fails."""
+    part = part_of(path)
+    try:
+        with naming(path):
+            part.write_bytes(data)
+            os.replace(part, path)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise

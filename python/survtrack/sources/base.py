@@ -3,7 +3,7 @@
 """The contract of a source, and the checks that all sources share."""
 
 from collections.abc import Iterator
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,7 @@ Size = tuple[int, int]
 DEFAULT_FPS = 25.0
 
 
+@runtime_checkable
 class Source(Protocol):
     """Yields (index, time_s, frame) for each selected frame.
 

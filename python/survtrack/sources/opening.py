@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
-from survtrack.errors import InputError
+from survtrack.errors import InputError, UsageError
 from survtrack.sources.arrays import ArraySource
 from survtrack.sources.base import Frame, Size, Source
 from survtrack.sources.images import (
@@ -20,7 +20,7 @@ from survtrack.sources.selection import Selection
 
 
 def open_source(
-    spec: str | os.PathLike[str] | Iterable[Frame],
+    spec: str | os.PathLike[str] | Iterable[Frame] | Source,
     *,
     fps: float | None = None,
     start: int = 0,
@@ -32,8 +32,8 @@ def open_source(
 
     Args:
         spec: a video file; the URL of a stream; a camera (/dev/video0); a folder of images, an
-            image, or a glob of images ("in/*.jpg"), in natural order of their names; or an
-            iterable of uint8 arrays.
+            image, or a glob of images ("in/*.jpg"), in natural order of their names; an iterable
+            of uint8 arrays; or a Source, which is returned as it is and takes no options.
         fps: frames per second; overrides the container's times. Images and arrays: 25 when None.
         start: how many frames are skipped first.
         step: every step-th frame is taken.
@@ -43,8 +43,11 @@ def open_source(
 
     Raises:
         InputError: nothing there that can be read; the message names it.
-        UsageError: a bad option.
+        UsageError: a bad option, or any option with a Source.
     """
+    if isinstance(spec, Source):
+        refuse_options(spec, fps=fps, start=start, step=step, limit=limit, resize=resize)
+        return spec
     selection = Selection(start, step, limit)
     if not isinstance(spec, (str, os.PathLike)):
         return ArraySource(spec, fps=fps, selection=selection, resize=resize)
@@ -55,6 +58,26 @@ def open_source(
     from survtrack.sources.video import VideoSource
 
     return VideoSource(text, fps=fps, selection=selection, resize=resize)
+
+
+def refuse_options(
+    source: Source,
+    *,
+    fps: float | None,
+    start: int,
+    step: int,
+    limit: int | None,
+    resize: Size | None,
+) -> None:
+    """Raise UsageError for an option that is not the default: the source is open already."""
+    given = {"fps": fps, "start": start, "step": step, "limit": limit, "resize": resize}
+    usual = {"fps": None, "start": 0, "step": 1, "limit": None, "resize": None}
+    for name, value in given.items():
+        if value != usual[name]:
+            raise UsageError(
+                f"{name}: {value} is not allowed with {source.name}, which is a source already; "
+                "give the option where that is made"
+            )
 
 
 def image_files(text: str) -> list[Path] | None:

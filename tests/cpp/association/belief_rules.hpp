@@ -15,38 +15,45 @@ namespace survtrack {
 
 constexpr double most_belief = 1.0 - 1e-9;
 
+// Near 1 a belief has few digits left: these are more than twice as long.
+#ifdef __SIZEOF_FLOAT128__
+__extension__ using Long = __float128;
+#else
+using Long = long double;
+#endif
+
 /// One row of the belief matrix, word for word (Narayana 2007, 8.3): each step changes one entry and rescales all
-/// others, which costs O(v) a step and O(v^2) a row. Near 1 a belief has few digits left: these are longer.
+/// others, which costs O(v) a step and O(v^2) a row.
 class LiteralRow {
  public:
-  explicit LiteralRow(std::size_t blobs) : beliefs_(blobs + 1, 1.0L / (static_cast<long double>(blobs) + 1.0L)) {}
+  explicit LiteralRow(std::size_t blobs) : beliefs_(blobs + 1, Long(1) / (Long(blobs) + Long(1))) {}
 
   /// Eq. 8.16 and 8.17, with the present belief as p(Assign).
   void observe(std::size_t blob, double ratio) {
-    const long double b = beliefs_[blob];
-    set(blob, ratio * b / (ratio * b + (1.0L - b)));
+    const Long b = beliefs_[blob];
+    set(blob, ratio * b / (ratio * b + (Long(1) - b)));
   }
   void multiply(std::size_t blob, double factor) {
-    set(blob, std::min<long double>(beliefs_[blob] * factor, most_belief));
+    set(blob, std::min<Long>(beliefs_[blob] * factor, most_belief));
   }
   void multiply_odds(std::size_t blob, double factor) { observe(blob, factor); }
 
   std::vector<double> beliefs() const {
     std::vector<double> row;
-    for (const long double belief : beliefs_) row.push_back(static_cast<double>(belief));
+    for (const Long belief : beliefs_) row.push_back(static_cast<double>(belief));
     return row;
   }
 
  private:
-  void set(std::size_t blob, long double after) {
-    const long double before = beliefs_[blob];
+  void set(std::size_t blob, Long after) {
+    const Long before = beliefs_[blob];
     beliefs_[blob] = after;
     for (std::size_t m = 0; m < beliefs_.size(); ++m) {
-      if (m != blob) beliefs_[m] *= 1.0L - (after - before) / (1.0L - before);  // eq. 8.19
+      if (m != blob) beliefs_[m] *= Long(1) - (after - before) / (Long(1) - before);  // eq. 8.19
     }
   }
 
-  std::vector<long double> beliefs_;
+  std::vector<Long> beliefs_;
 };
 
 inline std::vector<double> literal_published_beliefs(const std::vector<Evidence>& evidence) {

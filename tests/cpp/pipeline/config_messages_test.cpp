@@ -100,11 +100,21 @@ TEST(ConfigMessages, AFilterWithoutCovarianceHasNoGaussianCost) {
   Config config;
   config.filter = MeanVelocityOptions{};
   config.cost = GaussianCostOptions{};
-  EXPECT_TRUE(contains(message_of<ConfigError>([&] { Tracker{config}; }), "cost.model: ", "mean_velocity", "match_matrix"));
+  EXPECT_EQ(message_of<ConfigError>([&] { Tracker{config}; }),
+            "cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
+            "expected cost.model match_matrix, belief or distance, or filter.model kalman_cv or kalman_ca");
   EXPECT_THROW(Detector{config}, ConfigError);
   EXPECT_THROW(config.check(), ConfigError);
-  config.cost = MatchMatrixOptions{};
-  EXPECT_NO_THROW(Tracker{config});
+  const std::vector<CostOptions> allowed = {MatchMatrixOptions{}, BeliefOptions{}, DistanceOptions{}};
+  for (const CostOptions& other : allowed) {
+    config.cost = other;
+    EXPECT_NO_THROW(Tracker{config});
+  }
+  config.cost = GaussianCostOptions{};
+  for (const FilterOptions& other : std::vector<FilterOptions>{KalmanCvOptions{}, KalmanCaOptions{}}) {
+    config.filter = other;
+    EXPECT_NO_THROW(Tracker{config});
+  }
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ class Fingerprint {
   Fingerprint& operator<<(const Box& b) { return add(b.x, b.y, b.width, b.height); }
   Fingerprint& operator<<(const Track& t) {
     add("\ntrack", t.id, to_string(t.status), t.reported, t.detection, t.age_frames, t.matched_frames, t.lost_frames,
-        t.start_index, t.end_index, t.start_time_s, t.end_time_s);
+        t.group, t.start_index, t.end_index, t.start_time_s, t.end_time_s);
     return *this << t.box << t.position << t.velocity_px_per_s << t.position_covariance_px2 << t.predicted_position
                  << t.mean_color;
   }
   Fingerprint& operator<<(const Event& e) {
-    add("\nevent", to_string(e.kind), e.index, e.time_s, e.track_id, e.text);
+    add("\nevent", to_string(e.kind), e.index, e.time_s, e.track_id, e.confidence, e.text);
     for (const auto id : e.other_track_ids) add(id);
     return *this << e.position << e.box << e.position_covariance_px2;
   }

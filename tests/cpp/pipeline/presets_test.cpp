@@ -95,5 +95,64 @@ TEST(Presets, Narayana2007IsWhatThePaperPrints) {
   EXPECT_EQ(Pipeline(config).delay_frames(), 75);
 }
 
+TEST(Presets, Semko2007IsWhatTheThesisPrints) {
+  const Config config = preset("semko2007");
+  EXPECT_EQ(config.time_unit_s, 0.04);
+  const auto& flow = std::get<HornSchunckOptions>(config.segmenter);
+  EXPECT_EQ(flow.frames_back, 10);
+  EXPECT_EQ(flow.smoothness, 0.5);
+  EXPECT_EQ(flow.sweeps, 10);
+  // Not the printed 0.03: see the preset.
+  EXPECT_EQ(flow.magnitude_threshold, 0.06);
+  EXPECT_EQ(config.cleanup.temporal_median_frames, 3);
+  EXPECT_EQ(config.cleanup.median_px + config.cleanup.open_px + config.cleanup.close_px, 0);
+  const auto& tiling = std::get<QuadrantsOptions>(config.cleanup.tiling);
+  EXPECT_EQ(tiling.overlap_px, 10);
+  EXPECT_EQ(tiling.erode_top_left_px, 4);
+  EXPECT_EQ(tiling.dilate_top_left_px, 11);
+  EXPECT_EQ(tiling.erode_top_right_px, 4);
+  EXPECT_EQ(tiling.dilate_top_right_px, 14);
+  EXPECT_EQ(tiling.erode_bottom_left_px, 4);
+  EXPECT_EQ(tiling.dilate_bottom_left_px, 14);
+  EXPECT_EQ(tiling.erode_bottom_right_px, 4);
+  EXPECT_EQ(tiling.dilate_bottom_right_px, 15);
+  EXPECT_EQ(config.blobs.min_area_px, 560.0);
+  EXPECT_EQ(config.blobs.min_area_fraction, 0.0);
+  EXPECT_EQ(config.blobs.max_blobs, 10);
+  EXPECT_FALSE(config.blobs.share_blobs);
+  EXPECT_EQ(config.blobs.min_relative_height, 0.0);
+  EXPECT_TRUE(std::holds_alternative<NoMergeOptions>(config.blobs.merge));
+  const auto& filter = std::get<KalmanCaOptions>(config.filter);
+  EXPECT_EQ(filter.noise_unit, NoiseUnit::px);
+  EXPECT_EQ(filter.noise_form, NoiseForm::identity);
+  EXPECT_NEAR(filter.acceleration_noise * filter.acceleration_noise, 0.5, 1e-12);
+  EXPECT_EQ(filter.position_noise, 1.0);
+  EXPECT_EQ(filter.initial_position * filter.initial_position, 9.0);
+  EXPECT_EQ(filter.initial_velocity * filter.initial_velocity, 25.0);
+  EXPECT_EQ(filter.initial_acceleration * filter.initial_acceleration, 49.0);
+  EXPECT_TRUE(std::holds_alternative<CentroidOptions>(config.measurement));
+  EXPECT_EQ(std::get<DistanceOptions>(config.cost).max_distance_px, 0.0);
+  EXPECT_FALSE(std::get<HungarianOptions>(config.assignment).confirmed_first);
+  const auto& lifecycle = std::get<CountMedianOptions>(config.lifecycle);
+  EXPECT_EQ(lifecycle.median_frames, 25);
+  EXPECT_EQ(lifecycle.max_contacts, 10);
+  EXPECT_FALSE(lifecycle.keep_contacts);
+}
+
+TEST(Presets, TheOthersOfItsKindDifferInWhatTheySay) {
+  Config published = preset("semko2007");
+  published.set("segmenter.magnitude_threshold=0.03");
+  published.set("assignment.model=row_order");
+  EXPECT_TRUE(published == preset("semko2007_published"));
+  Config suliman = preset("semko2007");
+  for (const char* change : {"segmenter.frames_back=1", "segmenter.smoothness=0.6", "cleanup.tiling.model=whole",
+                             "cleanup.tiling.erode_px=4", "cleanup.tiling.dilate_px=11", "blobs.max_blobs=1",
+                             "lifecycle.median_frames=1", "lifecycle.max_contacts=1", "lifecycle.keep_contacts=true",
+                             "lifecycle.restart_after_s=1"}) {
+    suliman.set(change);
+  }
+  EXPECT_TRUE(suliman == preset("suliman2010"));
+}
+
 }  // namespace
 }  // namespace survtrack

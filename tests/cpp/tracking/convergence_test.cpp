@@ -23,7 +23,7 @@ using Ids = std::vector<std::int64_t>;
 class Watch {
  public:
   explicit Watch(int tracks, int tentative = 0)
-      : table_(MeanVelocityOptions{}, CentroidOptions{}, 0.1) {
+      : table_(MeanVelocityOptions{}, CentroidOptions{}, NoReentryOptions{}, 0.1) {
     Detections detections;
     for (int i = 0; i < tracks + tentative; ++i) detections.items.push_back(blob_at(30.0 * i, 50.0));
     for (int i = 0; i < tracks + tentative; ++i) table_.start(i, detections);

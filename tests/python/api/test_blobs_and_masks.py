@@ -176,3 +176,22 @@ def test_a_frame_of_another_size_is_refused() -> None:
         find_blobs(mask, np.zeros((20, 30)))
     with pytest.raises(TypeError):
         find_blobs(mask, None, survtrack.CleanupOptions())  # type: ignore[arg-type]
+
+
+def test_blobs_of_masks_go_through_a_tracker() -> None:
+    """One's own masks, followed: the frame's time and index travel with the detections."""
+    tracker = survtrack.Tracker(survtrack.preset("semko2007"))
+    for k in range(20):
+        mask = np.zeros((120, 160), np.uint8)
+        mask[40:80, 20 + 3 * k : 50 + 3 * k] = 255
+        found = find_blobs(mask, options=ALL_BLOBS, time_s=0.04 * k, index=10 + k)
+        assert (found.time_s, found.index) == (0.04 * k, 10 + k)
+        result = tracker.process(found)
+        assert (result.index, result.time_s) == (10 + k, 0.04 * k)
+    [track] = result.tracks
+    assert track.position == pytest.approx((91.5, 59.5), abs=0.1)
+    assert track.velocity_px_per_s == pytest.approx((75.0, 0.0), abs=0.5)
+    with pytest.raises(survtrack.InputError, match="time"):
+        tracker.process(find_blobs(mask, time_s=0.04))
+    with pytest.raises(survtrack.InputError, match="time"):
+        tracker.process(find_blobs(mask, time_s=float("nan")))

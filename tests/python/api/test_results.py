@@ -17,7 +17,7 @@ TRACK_FIELDS = [
     *("id", "status", "reported", "x", "y", "width", "height", "position_x", "position_y"),
     *("velocity_x_px_per_s", "velocity_y_px_per_s"),
     *("covariance_xx_px2", "covariance_xy_px2", "covariance_yy_px2"),
-    *("detection", "age_frames", "matched_frames", "lost_frames"),
+    *("detection", "age_frames", "matched_frames", "lost_frames", "group"),
 ]
 DETECTION_FIELDS = [
     *("x", "y", "width", "height", "position_x", "position_y", "area_px"),
@@ -28,6 +28,7 @@ INTEGERS = {
     "id": "i8",
     "status": "u1",
     "reported": "?",
+    "group": "i8",
     **dict.fromkeys(("detection", "age_frames", "matched_frames", "lost_frames", "class_id"), "i4"),
 }
 
@@ -99,7 +100,7 @@ def test_arrays_say_the_same_as_objects(results: list[survtrack.FrameResult]) ->
             P = track.position_covariance_px2
             expected = (track.id, track.status.value, track.reported, *track.box, *track.position)
             expected += (*track.velocity_px_per_s, P[0, 0], P[0, 1], P[1, 1], track.detection)
-            expected += (track.age_frames, track.matched_frames, track.lost_frames)
+            expected += (track.age_frames, track.matched_frames, track.lost_frames, track.group)
             assert tuple(row) == expected
             assert P.shape == (2, 2) and P[0, 1] == P[1, 0] and np.linalg.eigvalsh(P).min() > 0
         for row, one in zip(result.detection_array, result.detections, strict=True):
@@ -201,7 +202,9 @@ def test_a_result_never_changes(preset: str) -> None:
     for index, frame in enumerate(FRAMES + FRAMES):
         result = pipeline.process(frame, index / 10)
         if result is not None:
-            arrays = (result.mask, result.background, result.track_array, result.detection_array)
+            arrays = (result.mask, result.track_array, result.detection_array)
+            if result.background is not None:  # optical flow has none
+                arrays = (*arrays, result.background)
             contours = result.detections.contours
             kept.append((result, arrays, contours, *copies((*arrays, *contours)), answer([result])))
     pipeline.reset()

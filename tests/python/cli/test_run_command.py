@@ -181,6 +181,57 @@ def test_views_stand_side_by_side_and_ask_for_what_they_show(clip: Path, tmp_pat
     assert config.outputs.background is True
 
 
+def test_views_of_flow_switch_it_on_and_begin_when_there_is_one(clip: Path, tmp_path: Path) -> None:
+    flow = ["--set", "segmenter.model=horn_schunck", "--set", "segmenter.frames_back=5"]
+    views = "intensity,flow,boxes,markers"
+    assert run(clip, *flow, "--out", tmp_path, "--video", "--views", views) == 0
+    config = survtrack.Config.from_toml((tmp_path / "config.toml").read_text())
+    assert config.outputs.flow is True
+    with av.open(str(tmp_path / "annotated.mp4")) as container:
+        pictures = [f.to_ndarray(format="bgr24").astype(int) for f in container.decode(video=0)]
+    assert len(pictures) == 60
+    assert all(picture.shape == (2 * 96, 2 * 128, 3) for picture in pictures)
+    # In the lower left corner of the second picture a note, then the yellow sample arrow.
+    corners = [picture[84:96, 130:142] for picture in pictures]
+    yellow = [(corner[..., 1] - corner[..., 0]).max() for corner in corners]
+    assert [bool(most > 60) for most in yellow] == [False] * 5 + [True] * 55, yellow
+
+
+def test_arrows_of_an_annotated_video_keep_to_the_segmenters_threshold(
+    clip: Path, tmp_path: Path
+) -> None:
+    """A threshold that nothing reaches leaves the frame as it is, but for the caption and scale."""
+    flow = ["--set", "segmenter.model=horn_schunck", "--views", "flow,frame", "--video"]
+    differences = []
+    for threshold in (0.03, 100):
+        limit = ["--set", f"segmenter.magnitude_threshold={threshold}"]
+        assert run(clip, *flow, *limit, "--out", tmp_path) == 0
+        with av.open(str(tmp_path / "annotated.mp4")) as container:
+            *_, last = container.decode(video=0)
+        picture = last.to_ndarray(format="bgr24").astype(int)[20:80]
+        differences.append(abs(picture[:, :128] - picture[:, 128:]).max())
+    assert differences[0] > 100 > 50 > differences[1]
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--views", "mask,flow"], "--views flow: shows a flow field that this config does not"),
+        (["--views", "flow_color"], "--views flow_color: shows a flow field"),
+        (
+            ["--views", "background", "--set", "segmenter.model=horn_schunck"],
+            "--views background: the segmenter horn_schunck has none",
+        ),
+    ],
+)
+def test_views_that_the_segmenter_cannot_fill_are_refused_before_the_first_frame(
+    clip: Path, tmp_path: Path, options: list[str], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(clip, "--out", tmp_path / "out", "--video", *options) == 2
+    assert words in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
 def test_json_is_all_there_is_on_stdout(
     clip: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -78,6 +78,14 @@ def test_a_trail_goes_through_the_last_positions() -> None:
     assert not scene[70:].any()
 
 
+def test_a_trail_may_lead_anywhere() -> None:
+    """A kept contact is predicted for ever, and accelerates."""
+    renderer = TrailRenderer()
+    for x in (0, 2**40, -(2**60)):
+        scene = renderer.annotate(blank(), result_of(blank(), 0, Track(5, Box(x, 50, 10, 20))))
+    assert scene[60].any()
+
+
 def test_a_track_that_went_away_leaves_no_trail_to_one_that_comes_back() -> None:
     renderer = TrailRenderer()
     renderer.annotate(blank(), result_of(blank(), 0, Track(5, Box(0, 50, 10, 20))))

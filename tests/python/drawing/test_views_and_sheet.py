@@ -6,8 +6,20 @@ import numpy as np
 import pytest
 
 from clips import walking_square
-from fakes import Box, Detection, Grid, Match, Track, result_of
-from survtrack.drawing import VIEW_NAMES, Views, contact_sheet
+from fakes import Box, Detection, Event, Grid, Kind, Match, Place, Track, result_of
+from survtrack.drawing import (
+    VIEW_NAMES,
+    BoxRenderer,
+    FlowColorRenderer,
+    FlowRenderer,
+    IntensityRenderer,
+    LostContactRenderer,
+    MarkerRenderer,
+    Views,
+    as_scene,
+    contact_sheet,
+)
+from survtrack.drawing.scene import draw_label
 from survtrack.errors import UsageError
 
 FRAME = walking_square(3, width=160, height=120, side=30)[2]
@@ -21,6 +33,7 @@ RESULT = result_of(
     costs=np.array([[0.25]]),
     matrix_track_ids=[1],
     vicinity={-1: Grid(30, np.full((4, 6), 3.0), np.arange(24).reshape(4, 6) % 2 == 0)},
+    flow=np.full((120, 160, 2), 0.5, np.float32),
 )
 # Below the captions, above the bottom edge.
 INSIDE = slice(30, 118)
@@ -40,6 +53,57 @@ def test_each_view_shows_what_it_says() -> None:
     tracks = Views(["tracks"])(FRAME, RESULT)
     changed = (tracks != FRAME).any(axis=2)[INSIDE]
     assert 20 < changed.sum() < 0.3 * changed.size
+
+
+def test_the_views_of_a_flow_tracker_are_those_of_their_renderers() -> None:
+    ended = Event(Kind.track_ended, 2, 0.2, 4, position=(80.0, 60.0), place=Place.open)
+    result = result_of(FRAME, 2, Track(1, Box(8, 40, 30, 30)), events=[ended], flow=RESULT.flow)
+    for name, renderer in (
+        ("intensity", IntensityRenderer()),
+        ("flow", FlowRenderer()),
+        ("flow_color", FlowColorRenderer()),
+        ("boxes", BoxRenderer()),
+        ("markers", MarkerRenderer()),
+        ("covariance", MarkerRenderer(0.95)),
+        ("lost_contacts", LostContactRenderer()),
+    ):
+        alone = renderer.annotate(as_scene(FRAME), result)
+        assert (alone != FRAME).any()
+        assert np.array_equal(Views([name])(FRAME, result)[INSIDE], alone[INSIDE])
+
+
+def test_four_views_are_two_by_two_with_their_names() -> None:
+    names = ["intensity", "flow", "boxes", "markers"]
+    picture = Views(names)(FRAME, RESULT)
+    assert picture.shape == (240, 320, 3)
+    for k, name in enumerate(names):
+        top, left = k // 2 * 120, k % 2 * 160
+        expected = np.zeros((120, 160, 3), np.uint8)
+        text = f"{name}: frame 3, 0.20 s" if k == 0 else name
+        draw_label(expected, text, (0, 0), (0, 0, 0))
+        corner = picture[top : top + 12, left : left + 10]
+        assert np.array_equal(corner, expected[:12, :10])
+    flow_next = Views(["flow_color", *names[:3]])(FRAME, RESULT)
+    assert np.array_equal(flow_next[20:120, 160:], picture[20:120, :160])
+
+
+def test_arrows_keep_to_the_threshold_that_they_are_given() -> None:
+    shown, hidden = (Views(["flow"], limit)(FRAME, RESULT)[30:100] for limit in (0.6, 0.8))
+    assert (shown != FRAME[30:100]).any()  # 0.71 px everywhere
+    assert (hidden == FRAME[30:100]).all()
+    with pytest.raises(UsageError, match="threshold_px: -1 is not allowed"):
+        Views(["flow"], -1)
+
+
+@pytest.mark.parametrize("shape", [(16, 16, 3), (16, 16), (17, 90, 3)])
+def test_all_views_of_a_small_frame_without_flow(shape: tuple[int, ...]) -> None:
+    frame = np.full(shape, 90, np.uint8)
+    names = ["intensity", "flow", "flow_color", "boxes", "markers", "covariance", "lost_contacts"]
+    result = result_of(frame, 0, Track(1, Box(2, 2, 8, 8)))
+    one, other = Views(names)(frame, result), Views(names)(frame, result)
+    assert one.shape == (4 * shape[0], 2 * shape[1], 3)
+    assert np.array_equal(one, other)
+    assert (frame == 90).all()
 
 
 def test_drawing_leaves_the_frame_and_the_result_alone() -> None:

@@ -15,6 +15,7 @@ from survtrack.sinks import RunFolder
 def leave(folder: Path, *names: str) -> None:
     """What a run that ended in `folder` leaves."""
     run = RunFolder(folder)
+    run.make()
     for name in names:
         (folder / name.replace("*", "000001")).write_text("content")
     run.finish({"complete": True, "outputs": names}, "config")
@@ -26,6 +27,14 @@ def test_makes_the_folder_and_says_what_is_in_it(tmp_path: Path) -> None:
     facts = json.loads((tmp_path / "a" / "b" / "run.json").read_text())
     assert facts == {"complete": True, "outputs": ["tracks.txt"]}
     assert (tmp_path / "a" / "b" / "config.toml").read_text() == "config"
+
+
+def test_nothing_is_there_before_it_is_made(tmp_path: Path) -> None:
+    folder = RunFolder(tmp_path / "a" / "b")
+    folder.refuse_foreign_masks()
+    assert os.listdir(tmp_path) == []
+    folder.make()
+    assert (tmp_path / "a" / "b").is_dir()
 
 
 def test_outputs_of_the_run_before_do_not_pose_as_this_ones(tmp_path: Path) -> None:
@@ -63,7 +72,7 @@ def test_a_folder_that_cannot_be_made_is_named(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     for place in (tmp_path / "file", tmp_path / "file" / "out"):
         with pytest.raises(OSError) as caught:
-            RunFolder(place)
+            RunFolder(place).make()
         assert caught.value.filename == str(place)
 
 

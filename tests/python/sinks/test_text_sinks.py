@@ -103,6 +103,7 @@ def test_events_are_one_json_object_a_line(tmp_path: Path) -> None:
             "box": [1, 2, 6, 7],
             "position_covariance_px2": [1.0, 0.0, 1.0],
             "place": None,
+            "confidence": None,
             "text": "Track 3 started",
         },
         {
@@ -115,6 +116,7 @@ def test_events_are_one_json_object_a_line(tmp_path: Path) -> None:
             "box": None,
             "position_covariance_px2": None,
             "place": None,
+            "confidence": None,
             "text": "Licht än",
         },
     ]

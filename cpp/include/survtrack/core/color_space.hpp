@@ -29,4 +29,7 @@ ColorCoordinates coordinates(const Color& color, ColorSpace space);
 /// b - a in each coordinate; hues differ by -180 to 180 degrees.
 ColorCoordinates color_difference(const ColorCoordinates& a, const ColorCoordinates& b, ColorSpace space);
 
+/// Distance of two colours whose channels count 0 to 1: 0 to 1.73 (Narayana 2007, eq. 3.6).
+double color_distance(const Color& a, const Color& b);
+
 }  // namespace survtrack

@@ -14,9 +14,12 @@ namespace survtrack {
 /// What happened.
 enum class EventKind : std::uint8_t {
   track_started,    ///< a track was confirmed: its first reported frame
+  track_reentered,  ///< the same of one that continues a track that had ended, and has its id again
   track_lost,       ///< a confirmed track found no detection and is predicted from here on
   track_recovered,  ///< a lost track found a detection again
-  track_ended,      ///< a confirmed track was closed; its id is never used again
+  track_ended,      ///< a confirmed track was closed
+  merged,           ///< tracks share one detection from here on: a group
+  split,            ///< tracks of a group have detections of their own again
   converged,        ///< two tracks or more believe to be the same blob (Narayana 2007, 8.1)
   anomalous_speed,  ///< a track moves unlike those before it in its cell of the vicinity grid (11.3)
   scene_changed,    ///< the whole scene changed (light, camera): the background starts anew
@@ -43,6 +46,7 @@ struct Event {
   double time_s = 0.0;
   std::int64_t track_id = 0;     ///< 0: concerns no track
   std::vector<std::int64_t> other_track_ids;
+  double confidence = 1.0;       ///< of a track that came back: that it is the same, 0 to 1
   Point position;                ///< px, last position known; of a track that ended the last one measured
   Box box;                       ///< the same of its box
   LostPlace place = LostPlace::none;  ///< of a track that ended: where it was lost

@@ -11,7 +11,7 @@ namespace survtrack {
 
 enum class TrackStatus : std::uint8_t {
   tentative,  ///< seen too few times to be believed
-  confirmed,  ///< matched in this frame
+  confirmed,  ///< matched in this frame, or in a group that is
   lost,       ///< not matched in this frame: predicted, or frozen, as the filter says
   closed,     ///< ended in this frame
 };
@@ -20,7 +20,7 @@ const char* to_string(TrackStatus status);
 
 /// One object followed through time, as known after one frame.
 struct Track {
-  std::int64_t id = 0;  ///< from 1, without gaps, never reused; 0 while tentative
+  std::int64_t id = 0;  ///< from 1, without gaps, given again only to who comes back; 0 while tentative
   TrackStatus status = TrackStatus::tentative;
   bool reported = false;  ///< part of the answer of this frame: written to files and drawn
   Box box;                ///< px, estimated box in this frame
@@ -29,7 +29,8 @@ struct Track {
   Symmetric2 position_covariance_px2;
   Point predicted_position;  ///< px, where this frame's detection was expected
   Color mean_color;          ///< of the detection last matched
-  int detection = -1;        ///< this frame's matched detection; -1: none
+  int detection = -1;        ///< this frame's matched detection, or that of its group; -1: none
+  std::int64_t group = 0;    ///< of tracks that share one detection the id of the oldest; 0: it shares none
   int age_frames = 0;        ///< frames since its first detection, that one not counted
   int matched_frames = 0;    ///< frames with a detection, the first one counted
   int lost_frames = 0;       ///< frames since its last detection

@@ -12,6 +12,7 @@
 #include "survtrack/filtering/options.hpp"
 #include "survtrack/segmentation/cleanup_options.hpp"
 #include "survtrack/segmentation/options.hpp"
+#include "survtrack/tracking/identity_options.hpp"
 #include "survtrack/tracking/options.hpp"
 
 namespace survtrack {
@@ -46,6 +47,8 @@ struct Config {
   CostOptions cost;
   AssignmentOptions assignment;
   LifecycleOptions lifecycle;
+  GroupOptions groups;
+  ReentryOptions reentry;
   VicinityOptions vicinity;
   OutputOptions outputs;
 
@@ -62,6 +65,8 @@ struct Config {
         field("cost", &O::cost, "", "how well a detection fits a track"),
         field("assignment", &O::assignment, "", "who gets which detection"),
         field("lifecycle", &O::lifecycle, "", "when tracks are born, believed, lost and closed"),
+        field("groups", &O::groups, "", "tracks that merge into one blob"),
+        field("reentry", &O::reentry, "", "tracks that ended and come back"),
         field("vicinity", &O::vicinity, "", "what the scene teaches about sizes and speeds"),
         field("outputs", &O::outputs, "", "extras of a result that cost something"));
   }

@@ -12,6 +12,7 @@
 #include "survtrack/core/expectation.hpp"
 #include "survtrack/pipeline/config.hpp"
 #include "survtrack/tracking/convergence.hpp"
+#include "survtrack/tracking/groups.hpp"
 #include "survtrack/tracking/lifecycle.hpp"
 #include "survtrack/tracking/matcher.hpp"
 #include "survtrack/tracking/track_table.hpp"
@@ -21,7 +22,8 @@
 namespace survtrack {
 
 /// The second half: detections in, tracks out. Usable alone, on the boxes of any detector. Options used:
-/// `time_unit_s`, `filter`, `measurement`, `cost`, `assignment`, `lifecycle`, `vicinity`, `outputs`.
+/// `time_unit_s`, `filter`, `measurement`, `cost`, `assignment`, `lifecycle`, `groups`, `reentry`, `vicinity`,
+/// `outputs`.
 class Tracker {
  public:
   /// Throws `ConfigError`.
@@ -53,7 +55,6 @@ class Tracker {
 
  private:
   void check(const Detections& detections) const;
-  void raise_met(const Detections& detections, TrackingResult& result) const;
   void report(const Detections& detections, TrackingResult& result);
 
   OutputOptions outputs_;
@@ -62,6 +63,7 @@ class Tracker {
   std::unique_ptr<Lifecycle> lifecycle_;
   std::optional<VicinityLearner> vicinity_;
   ConvergenceWatch convergence_;
+  std::optional<GroupWatch> groups_;
   Expectation expectation_;
   std::vector<char> believed_before_;  ///< a row, before this frame's decisions
   std::vector<char> was_lost_;         ///< a row, in the frame before

@@ -15,11 +15,14 @@ struct OpenTrack {
   double width_px = 0.0;   ///< estimated size of the whole object
   double height_px = 0.0;
   int size_samples = 0;    ///< frames in which the size was learned
-  bool grouped = false;    ///< another believed object stands near
+  bool near_another = false;  ///< another believed object stands near
   Point start_position;    ///< px, where it was first seen
   double travelled_px = 0.0;  ///< greatest distance from there
   Box seen;                ///< box of the detection last matched
   Point seen_position;     ///< its measured position
+  Point seen_velocity_px_per_s;
+  double seen_time_s = 0.0;   ///< of that detection, which was its own: none that a group shares
+  double reentry_confidence = 0.0;  ///< of having got an identity again; 0: it has one of its own
   Point step_px;           ///< from the measured position before to that
   double step_s = 0.0;     ///< time between the two; 0 before there are two
 

@@ -13,6 +13,7 @@
 #include "survtrack/core/expectation.hpp"
 #include "survtrack/filtering/filter_bank.hpp"
 #include "survtrack/tracking/measurement.hpp"
+#include "survtrack/tracking/reentry.hpp"
 #include "survtrack/tracking/scale_learner.hpp"
 
 namespace survtrack {
@@ -21,7 +22,8 @@ namespace survtrack {
 /// A lifecycle decides; the table carries out and keeps the books.
 class TrackTable {
  public:
-  TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, double time_unit_s);
+  TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, const ReentryOptions& reentry,
+             double time_unit_s);
 
   int size() const { return static_cast<int>(rows_.size()); }
   const OpenTrack& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
@@ -61,21 +63,27 @@ class TrackTable {
   /// Corrects row `i` by its detection.
   void match(int i, int detection, const Detections& detections);
   void miss(int i);
+  /// Row `i` is somewhere in a detection that it shares with others of its group: its prediction stays where it is, or is
+  /// moved into that box if it lies outside. Of its size, colour and displacement this says nothing.
+  void share(int i, int detection, const Detections& detections);
+  /// The id of the oldest track of its group; 0: none.
+  void set_group(int i, std::int64_t group) { rows_[static_cast<std::size_t>(i)].track.group = group; }
   /// Forgets how row `i`, matched now, moved before: its filter starts anew where it is.
   void restart(int i);
   /// A new tentative track at the end of the table.
   int start(int detection, const Detections& detections);
-  /// Gives a tentative track its number: from here on it is believed.
+  /// Gives a tentative track its number, a new one or that of the ended track that it continues: from here on it is
+  /// believed.
   void believe(int i);
   void set_status(int i, TrackStatus status) { rows_[static_cast<std::size_t>(i)].track.status = status; }
   void set_reported(int i, bool reported) { rows_[static_cast<std::size_t>(i)].track.reported = reported; }
-  /// Takes closed tracks out; order stays.
+  /// Takes closed tracks out; order stays. Those that were believed may come back.
   void remove_closed();
   void clear();
 
  private:
   /// Marks which believed tracks stand so near to another that edges may be hidden.
-  void find_groups();
+  void find_near();
   void refresh(int i);
 
   MeasurementOptions measurement_;
@@ -83,6 +91,7 @@ class TrackTable {
   double time_unit_s_;
   std::vector<OpenTrack> rows_;
   ScaleLearner scale_;
+  std::optional<ReentryMemory> memory_;
   std::int64_t last_id_ = 0;
   double time_s_ = 0.0;
   double dt_s_ = 0.0;
