@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import cv2
+import filters
 import flow
 from accuracy import measure_masks, measure_tracks
 from peers import Peers
@@ -22,7 +23,7 @@ from speed import measure
 import survtrack
 
 Row = dict[str, Any]
-PARTS = ("speed", "accuracy", "flow")
+PARTS = ("speed", "accuracy", "flow", "filters")
 
 
 def arguments() -> argparse.Namespace:
@@ -100,6 +101,10 @@ def main() -> None:
             print_table("Flow: Middlebury's pairs, mean endpoint error", results["flow"])
             for missing in no_flow:
                 print(f"left out: {missing} is missing (SURVTRACK_DATA names the folder)")
+        if asked.only in (None, "filters"):
+            results["filters"] = filters.measure(asked.rounds)
+            title = f"Kalman filters: a step of {filters.TRACKS} tracks of 4 states, one thread"
+            print_table(title, results["filters"])
     if asked.json:
         asked.json.write_text(json.dumps(results, indent=2) + "\n")
 

@@ -7,6 +7,7 @@ source "$(dirname "$0")/common.sh"
 bash scripts/setup.sh
 bash scripts/setup_bench.sh
 bash scripts/demo_footage.sh
-cmake --build "$BUILD" --target belief_matrix -- --quiet
+cmake --build "$BUILD" --target belief_matrix kalman -- --quiet
 "$BUILD/benchmarks/cpp/belief_matrix"
+"$BUILD/benchmarks/cpp/kalman"
 "$VENV/bin/python" benchmarks/run.py --peers build/bench-venv/bin/python --video demo/vtest.avi "$@"

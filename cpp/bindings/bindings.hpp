@@ -44,6 +44,7 @@ void bind_segmentation(py::module_& module);
 void bind_tiling(py::module_& module);
 void bind_flow(py::module_& module);
 void bind_filtering(py::module_& module);
+void bind_filters(py::module_& module);
 void bind_association(py::module_& module);
 void bind_beliefs(py::module_& module);
 void bind_pipeline(py::module_& module);

@@ -34,6 +34,7 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_tiling(module);
   bindings::bind_flow(module);
   bindings::bind_filtering(module);
+  bindings::bind_filters(module);
   bindings::bind_association(module);
   bindings::bind_beliefs(module);
   bindings::bind_pipeline(module);

@@ -37,6 +37,7 @@ __all__: list[str] = [
     "Event",
     "EventKind",
     "Expectation",
+    "ExtendedKalmanFilter",
     "FilterBank",
     "FragmentMergeOptions",
     "FrameResult",
@@ -46,8 +47,10 @@ __all__: list[str] = [
     "HistoryRecorder",
     "HornSchunckOptions",
     "HungarianOptions",
+    "KalmanBank",
     "KalmanCaOptions",
     "KalmanCvOptions",
+    "KalmanFilter",
     "KnnOptions",
     "Link",
     "LinkOptions",
@@ -66,12 +69,14 @@ __all__: list[str] = [
     "NoVicinityOptions",
     "OldestFirstOptions",
     "OutputOptions",
+    "ParticleFilter",
     "Pattern",
     "PatternOptions",
     "Patterns",
     "Pipeline",
     "PredictedTrack",
     "QuadrantsOptions",
+    "Random",
     "RememberOptions",
     "RowOrderOptions",
     "SceneScale",
@@ -82,11 +87,15 @@ __all__: list[str] = [
     "TrackStatus",
     "Tracker",
     "TrackingResult",
+    "UnscentedKalmanFilter",
     "VicinityGrid",
     "WholeFrameOptions",
     "assign_hungarian",
     "assign_oldest_first",
+    "chi_square_quantile",
     "clean_mask",
+    "continuous_white_noise",
+    "discrete_white_noise",
     "falling_velocity_factor",
     "find_blobs",
     "horn_schunck",
@@ -94,14 +103,19 @@ __all__: list[str] = [
     "learn_patterns",
     "link_tracks",
     "match_matrix",
+    "nis_band",
+    "numeric_jacobian",
     "options_reference",
     "order_free_beliefs",
     "preset",
     "preset_names",
     "preset_text",
     "published_beliefs",
+    "rts_smooth",
+    "systematic_resample",
     "tiled_morphology",
     "velocity_factor",
+    "wrapped_difference",
 ]
 
 class Box:
@@ -3170,6 +3184,548 @@ class FilterBank:
         Nx2, px per time unit
         """
 
+class KalmanFilter:
+    """
+    The linear Kalman filter for any model: x = F x + B u + noise of covariance Q, z = H x + noise of covariance R.
+    Joseph-form update. Letters and equations: Bar-Shalom, Li and Kirubarajan 2001, 5.2.
+    """
+    def __getstate__(self) -> dict[str, typing.Any]: ...
+    def __init__(
+        self,
+        *,
+        F: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        Q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        R: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        P: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        B: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+        residual: collections.abc.Callable[..., typing.Any] | None = None,
+        validate: bool = True,
+    ) -> None:
+        """
+        F (n x n), H (m x n), Q (n x n), R (m x m), start x (n) of covariance P (n x n), B (n x k). residual(z, predicted)
+        returns how a measurement differs from the expected one, for those that wrap; None: z - predicted. Raises
+        InputError naming what has a wrong shape, is not finite, or is no covariance, with its smallest eigenvalue.
+        validate=False leaves out the checks that Q, R, P and S are covariances: only to reproduce published listings
+        whose matrices are none; estimates of such a filter mean nothing.
+        """
+    def __setstate__(self, arg0: dict[str, typing.Any]) -> None: ...
+    def mahalanobis(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> float:
+        """
+        The root of squared_mahalanobis.
+        """
+    def predict(
+        self, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None
+    ) -> None:
+        """
+        x = F x + B u, P = F P F' + Q. u: k numbers, or None for no input.
+        """
+    def squared_mahalanobis(
+        self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> float:
+        """
+        How far a measurement is from the expected one, in the metric of the coming innovation's covariance, squared:
+        inside the gate for a share p of the true ones if at most chi_square_quantile(p, m). Raises InputError.
+        """
+    def update(
+        self,
+        z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        R: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+    ) -> None:
+        """
+        Corrects by a measurement of m numbers; a missing one is simply not passed. R: the noise of this one, if another.
+        Raises InputError where z is not finite or S is singular; the filter is then as before.
+        """
+    @property
+    def B(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """
+        Effect of the control input: n x k; None if there is none.
+        """
+    @property
+    def F(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Transition: n x n.
+        """
+    @F.setter
+    def F(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def H(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Measured of state: m x n.
+        """
+    @H.setter
+    def H(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def K(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Gain of the last update: n x m.
+        """
+    @property
+    def P(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the state: n x n.
+        """
+    @P.setter
+    def P(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def Q(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the process noise of a step: n x n.
+        """
+    @Q.setter
+    def Q(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def R(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the measurement noise: m x m.
+        """
+    @R.setter
+    def R(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def S(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Its covariance: m x m.
+        """
+    @property
+    def log_likelihood(self) -> float:
+        """
+        Logarithm of the Gaussian density of the last innovation.
+        """
+    @property
+    def nis(self) -> float:
+        """
+        Normalised innovation squared of the last update, y' S^-1 y: chi-square distributed with m
+        degrees of freedom if the model fits.
+        """
+    @property
+    def x(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        State: n numbers.
+        """
+    @x.setter
+    def x(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def y(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Innovation of the last update: m numbers. Raises InputError before the first update.
+        """
+
+class KalmanBank:
+    """
+    Many Kalman filters with one model between them, predicted and updated together, side by side in the
+    processor's vector registers. Equal to KalmanFilter up to rounding. In C++: KalmanArray.
+    """
+    def __getstate__(self) -> dict[str, typing.Any]: ...
+    def __init__(
+        self,
+        F: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        Q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        R: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+        covariances: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+        *,
+        B: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+        periods: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+        validate: bool = True,
+    ) -> None:
+        """
+        F (n x n), H (m x n), Q (n x n), R (m x m), B (n x k). Starts with N filters at states (N x n) of covariances
+        (N x n x n, or n x n for all), or with none. periods (m): the lengths after which measurements wrap, 0 where they
+        do not. validate as for KalmanFilter. Raises InputError naming what is wrong.
+        """
+    def __len__(self) -> int: ...
+    def __setstate__(self, arg0: dict[str, typing.Any]) -> None: ...
+    def add(
+        self,
+        states: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        covariances: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> int:
+        """
+        Adds filters, as the constructor takes them; returns the slot of the first. Raises InputError, and then adds none.
+        """
+    def predict(
+        self, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None
+    ) -> None:
+        """
+        x = F x + B u, P = F P F' + Q for all. u: k numbers for all filters, N x k, or None for no input.
+        """
+    def remove(self, slot: typing.SupportsInt | typing.SupportsIndex) -> None:
+        """
+        Ends a filter; later slots move down by one.
+        """
+    def squared_mahalanobis(
+        self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N x M: of each filter to each of M measurements (M x m), as KalmanFilter.squared_mahalanobis.
+        """
+    def update(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        Corrects all filters by an N x m array; a row of NaN is missing, its filter stays as predicted. Raises InputError
+        naming the filter where a row is neither finite nor missing or S is singular; the bank is then as before.
+        """
+    @property
+    def F(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Transition: n x n.
+        """
+    @F.setter
+    def F(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def H(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Measured of state: m x n.
+        """
+    @H.setter
+    def H(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def Q(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the process noise of a step: n x n.
+        """
+    @Q.setter
+    def Q(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def R(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the measurement noise: m x m.
+        """
+    @R.setter
+    def R(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def covariances(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N x n x n.
+        """
+    @property
+    def innovation_covariances(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N x m x m, of the last update; NaN where the measurement was missing.
+        """
+    @property
+    def innovations(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N x m, of the last update; NaN where the measurement was missing.
+        """
+    @property
+    def log_likelihoods(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N numbers: logarithms of the Gaussian densities of the last innovations; NaN likewise.
+        """
+    @property
+    def nis(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N numbers: y' S^-1 y of the last update; NaN where the measurement was missing.
+        """
+    @property
+    def states(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N x n.
+        """
+
+class ExtendedKalmanFilter:
+    """
+    Kalman filter for x = f(x, u) + noise of covariance Q, z = h(x) + noise of covariance R, linearised where the estimate
+    is: F at the estimate before the step, H at the predicted one (Bar-Shalom, Li and Kirubarajan 2001, 10.3).
+    """
+    def __getstate__(self) -> dict[str, typing.Any]: ...
+    def __init__(
+        self,
+        *,
+        f: collections.abc.Callable[..., typing.Any],
+        h: collections.abc.Callable[..., typing.Any],
+        Q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        R: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        P: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        F: collections.abc.Callable[..., typing.Any] | None = None,
+        H: collections.abc.Callable[..., typing.Any] | None = None,
+        residual: collections.abc.Callable[..., typing.Any] | None = None,
+    ) -> None:
+        """
+        f(x) or f(x, u) returns n numbers, h(x) m numbers; F (called as f is) and H return their derivatives, n x n and
+        m x n; None: central differences. residual(z, predicted) as for KalmanFilter. Raises InputError.
+        """
+    def __setstate__(self, arg0: dict[str, typing.Any]) -> None: ...
+    def mahalanobis(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> float:
+        """
+        The root of squared_mahalanobis.
+        """
+    def predict(
+        self, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None
+    ) -> None:
+        """
+        Moves the state by f, which is called with u too where one is given. The exceptions of
+        callables pass through; the filter is then as before.
+        """
+    def squared_mahalanobis(
+        self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> float:
+        """
+        How far a measurement is from the expected one, in the metric of the coming innovation's covariance, squared:
+        inside the gate for a share p of the true ones if at most chi_square_quantile(p, m). Raises InputError.
+        """
+    def update(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        Corrects by a measurement of m numbers; a missing one is simply not passed. Raises InputError where z
+        or what a callable returns is not finite or has a wrong shape, or S is singular.
+        """
+    @property
+    def K(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Gain of the last update: n x m.
+        """
+    @property
+    def P(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the state: n x n.
+        """
+    @P.setter
+    def P(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def Q(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the process noise of a step: n x n.
+        """
+    @Q.setter
+    def Q(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def R(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the measurement noise: m x m.
+        """
+    @R.setter
+    def R(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def S(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Its covariance: m x m.
+        """
+    @property
+    def log_likelihood(self) -> float:
+        """
+        Logarithm of the Gaussian density of the last innovation.
+        """
+    @property
+    def nis(self) -> float:
+        """
+        Normalised innovation squared of the last update, y' S^-1 y: chi-square distributed with m
+        degrees of freedom if the model fits.
+        """
+    @property
+    def x(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        State: n numbers.
+        """
+    @x.setter
+    def x(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def y(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Innovation of the last update: m numbers. Raises InputError before the first update.
+        """
+
+class UnscentedKalmanFilter:
+    """
+    Kalman filter for x = f(x, u) + noise of covariance Q, z = h(x) + noise of covariance R, by sigma points that go through
+    f and h (Wan and van der Merwe 2000); no derivatives are needed.
+    """
+    def __getstate__(self) -> dict[str, typing.Any]: ...
+    def __init__(
+        self,
+        *,
+        f: collections.abc.Callable[..., typing.Any],
+        h: collections.abc.Callable[..., typing.Any],
+        Q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        R: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        P: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        alpha: typing.SupportsFloat | typing.SupportsIndex = 0.1,
+        beta: typing.SupportsFloat | typing.SupportsIndex = 2.0,
+        kappa: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+        residual: collections.abc.Callable[..., typing.Any] | None = None,
+    ) -> None:
+        """
+        f(x) or f(x, u) returns n numbers, h(x) m numbers. alpha (1e-4 to 1): spread of the points; beta: 2 for a
+        Gaussian; kappa: above -n. residual(z, predicted) as for KalmanFilter, for means too. Raises InputError.
+        """
+    def __setstate__(self, arg0: dict[str, typing.Any]) -> None: ...
+    def mahalanobis(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> float:
+        """
+        The root of squared_mahalanobis.
+        """
+    def predict(
+        self, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None
+    ) -> None:
+        """
+        Moves the state by f, which is called with u too where one is given. The exceptions of
+        callables pass through; the filter is then as before.
+        """
+    def squared_mahalanobis(
+        self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> float:
+        """
+        How far a measurement is from the expected one, in the metric of the coming innovation's covariance, squared:
+        inside the gate for a share p of the true ones if at most chi_square_quantile(p, m). Raises InputError.
+        """
+    def update(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        Corrects by a measurement of m numbers; a missing one is simply not passed. Raises InputError where z
+        or what a callable returns is not finite or has a wrong shape, or S is singular.
+        """
+    @property
+    def K(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Gain of the last update: n x m.
+        """
+    @property
+    def P(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the state: n x n.
+        """
+    @P.setter
+    def P(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def Q(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the process noise of a step: n x n.
+        """
+    @Q.setter
+    def Q(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def R(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Covariance of the measurement noise: m x m.
+        """
+    @R.setter
+    def R(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def S(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Its covariance: m x m.
+        """
+    @property
+    def log_likelihood(self) -> float:
+        """
+        Logarithm of the Gaussian density of the last innovation.
+        """
+    @property
+    def nis(self) -> float:
+        """
+        Normalised innovation squared of the last update, y' S^-1 y: chi-square distributed with m
+        degrees of freedom if the model fits.
+        """
+    @property
+    def sigma_points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (2 n + 1) x n: those of the present state, the mean first.
+        """
+    @property
+    def x(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        State: n numbers.
+        """
+    @x.setter
+    def x(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None: ...
+    @property
+    def y(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Innovation of the last update: m numbers. Raises InputError before the first update.
+        """
+
+class ParticleFilter:
+    """
+    Bootstrap particle filter (Gordon, Salmond and Smith 1993): any motion, any noise of measurements. Systematic
+    resampling when the effective sample size falls under a share. The same seed gives the same particles everywhere.
+    """
+    def __getstate__(self) -> dict[str, typing.Any]: ...
+    def __init__(
+        self,
+        *,
+        f: collections.abc.Callable[..., typing.Any],
+        log_likelihood: collections.abc.Callable[..., typing.Any],
+        Q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        P: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        count: typing.SupportsInt | typing.SupportsIndex = 1000,
+        resample_below: typing.SupportsFloat | typing.SupportsIndex = 0.5,
+        seed: typing.SupportsInt | typing.SupportsIndex = 0,
+    ) -> None:
+        """
+        f(particles) or f(particles, u) moves all particles at once, (count x n) to (count x n); the filter adds noise of
+        covariance Q (zero: f adds its own). log_likelihood(z, particles) returns count numbers, up to a constant; -inf
+        where z is impossible. The particles are drawn from the Gaussian of mean x (n) and covariance P (n x n).
+        resample_below: share of count, 0 to 1. Raises InputError naming what is wrong.
+        """
+    def __setstate__(self, arg0: dict[str, typing.Any]) -> None: ...
+    def predict(
+        self, u: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None
+    ) -> None:
+        """
+        Moves the particles by f and adds noise. The exceptions of callables pass through.
+        """
+    def update(self, z: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+        """
+        Weights the particles by a measurement, and resamples where needed. Raises InputError where z is not finite, or
+        impossible for every particle; the filter is then as before.
+        """
+    @property
+    def P(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Their weighted covariance: n x n.
+        """
+    @property
+    def effective_size(self) -> float:
+        """
+        1 / sum of squared weights, as they are now: 1 to count.
+        """
+    @property
+    def log_likelihood(self) -> float:
+        """
+        Logarithm of the likelihood of the last measurement given those before, as estimated; 0 at first.
+        """
+    @property
+    def particles(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        count x n.
+        """
+    @property
+    def resamplings(self) -> int:
+        """
+        So far.
+        """
+    @property
+    def weights(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        count numbers, of sum 1.
+        """
+    @property
+    def x(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Weighted mean of the particles: n numbers.
+        """
+
+class Random:
+    """
+    Random numbers that are the same bytes on every platform: xoshiro256++, normal numbers by Marsaglia's polar
+    method.
+    """
+    def __init__(self, seed: typing.SupportsInt | typing.SupportsIndex = 0) -> None: ...
+    def normal(
+        self, count: typing.SupportsInt | typing.SupportsIndex
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        So many numbers of mean 0 and variance 1.
+        """
+    def uniform(
+        self, count: typing.SupportsInt | typing.SupportsIndex
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        So many numbers in [0, 1).
+        """
+
 class Density:
     """
     The density of a difference between a track and its blob (Narayana 2007, 8.3.3): a table of equal bins
@@ -3832,10 +4388,48 @@ def assign_oldest_first(
     a pair is refused. Returns the column of each row, -1 for none. Raises InputError.
     """
 
+def chi_square_quantile(
+    probability: typing.SupportsFloat | typing.SupportsIndex,
+    degrees: typing.SupportsInt | typing.SupportsIndex,
+) -> float:
+    """
+    What a sum of so many squared standard normal numbers stays below with this probability: 5.991 for 0.95 and 2.
+    Raises InputError.
+    """
+
 def clean_mask(mask: typing.Any, options: CleanupOptions = ...) -> numpy.ndarray:
     """
     A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing, tiles. The input is left
     alone. A temporal median has nothing to do with one mask: see Cleanup.
+    """
+
+def continuous_white_noise(
+    dim: typing.SupportsInt | typing.SupportsIndex,
+    dt: typing.SupportsFloat | typing.SupportsIndex,
+    density: typing.SupportsFloat | typing.SupportsIndex = 1.0,
+    *,
+    axes: typing.SupportsInt | typing.SupportsIndex = 1,
+    order: str = "by_axis",
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Process noise Q over a step of dt, of continuous white noise of a spectral density in the first derivative that is
+    not modelled: two steps of dt / 2 are one of dt (Bar-Shalom, Li and Kirubarajan 2001, 6.2). Arguments and errors
+    as those of discrete_white_noise.
+    """
+
+def discrete_white_noise(
+    dim: typing.SupportsInt | typing.SupportsIndex,
+    dt: typing.SupportsFloat | typing.SupportsIndex,
+    variance: typing.SupportsFloat | typing.SupportsIndex = 1.0,
+    *,
+    axes: typing.SupportsInt | typing.SupportsIndex = 1,
+    order: str = "by_axis",
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Process noise Q over a step of dt, of a highest derivative that is constant within a step and white from step to
+    step (Bar-Shalom, Li and Kirubarajan 2001, 6.3). dim: 2 (position, velocity; the noise is the acceleration), 3 or
+    4 derivatives; axes of them; order: by_axis (x, x', y, y') or by_derivative (x, y, x', y'). Raises InputError;
+    dt is above 0 and at most 1e6.
     """
 
 def falling_velocity_factor(
@@ -3930,6 +4524,25 @@ def match_matrix(
     The match matrix of Narayana 2007, eq. 3.6: tracks x detections; frame_size is (width, height) in px.
     """
 
+def nis_band(
+    degrees: typing.SupportsInt | typing.SupportsIndex,
+    count: typing.SupportsInt | typing.SupportsIndex,
+    probability: typing.SupportsFloat | typing.SupportsIndex = 0.95,
+) -> tuple[float, float]:
+    """
+    Bounds within which the mean of `count` NIS of so many degrees lies with this probability if the model fits
+    (Bar-Shalom, Li and Kirubarajan 2001, 5.4.2). Raises InputError.
+    """
+
+def numeric_jacobian(
+    function: collections.abc.Callable[..., typing.Any],
+    x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Derivative of function(x), which returns m numbers, at x (n numbers): m x n, by central differences. Raises
+    InputError.
+    """
+
 def options_reference() -> str:
     """
     The reference of all options in Markdown.
@@ -3972,6 +4585,28 @@ def published_beliefs(
     are velocity factors. Raises InputError.
     """
 
+def rts_smooth(
+    x: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    P: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    F: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    Q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    Bu: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """
+    States and covariances given the measurements of the whole run (Rauch, Tung and Striebel 1965). x (T x n) and P
+    (T x n x n): those after each update; F and Q (n x n, or T x n x n): with which each step was predicted from the
+    one before (the first is not used); Bu (n, or T x n): the control input, likewise. Returns x and P. Raises InputError.
+    """
+
+def systematic_resample(
+    weights: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    offset: typing.SupportsFloat | typing.SupportsIndex,
+) -> numpy.typing.NDArray[numpy.int64]:
+    """
+    Which of the weighted items systematic resampling draws, in order, as many as there are weights (Kitagawa 1996).
+    offset: the one random number, in [0, 1). Raises InputError.
+    """
+
 def tiled_morphology(
     mask: typing.Any,
     *,
@@ -4004,6 +4639,15 @@ def velocity_factor(
     """
     The velocity factor of a match-matrix entry (Narayana 2007, fig. 4.12): 1 / falling_velocity_factor, from 0.5 to 5.
     Arguments, result and errors are those of falling_velocity_factor.
+    """
+
+def wrapped_difference(
+    difference: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    period: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+) -> typing.Any:
+    """
+    A difference, or an array of them, brought into [-period / 2, period / 2): the shorter way round. A period of 0
+    leaves it alone. Raises InputError.
     """
 
 __version__: str = "0.1.0"

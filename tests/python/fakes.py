@@ -48,6 +48,8 @@ class Track:
     age_frames: int = 0
     lost_frames: int = 0
     mean_color: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    detection: int = -1
+    group: int = 0
 
     @property
     def position(self) -> tuple[float, float]:

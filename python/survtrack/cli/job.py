@@ -17,6 +17,7 @@ from survtrack.runner import RunSummary, refuse_endless_delay, run
 from survtrack.sinks import RunFolder, Sink
 from survtrack.sinks.folder import CONFIG, MANIFEST
 from survtrack.sources import Prefetch, Source, open_source
+from survtrack.sources.opening import bytes_of_files
 
 if TYPE_CHECKING:
     from survtrack._core import Config, Pipeline
@@ -165,6 +166,7 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "fps_origin": source.fps_origin,
         "size": summary.size,
         "original_size": source.original_size,
+        "source_bytes": bytes_of_files(source),
         "tracks": len(summary.track_ids),
         "events": summary.events,
         "seconds": round(summary.seconds, 6),

@@ -14,6 +14,7 @@ from survtrack.cli.link import link
 from survtrack.cli.messages import exit_code, one_line, print_error
 from survtrack.cli.patterns import patterns
 from survtrack.cli.presets import presets
+from survtrack.cli.replay import replay
 from survtrack.cli.reproduce import reproduce
 from survtrack.cli.run import run
 from survtrack.cli.scene import scene
@@ -31,6 +32,7 @@ app.command("run")(run)
 app.command("segment")(segment)
 app.command("link")(link)
 app.command("patterns")(patterns)
+app.command("replay")(replay)
 app.command("evaluate")(evaluate)
 app.command("evaluate-masks")(evaluate_masks)
 app.command("reproduce")(reproduce)

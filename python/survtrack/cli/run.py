@@ -21,6 +21,7 @@ from survtrack.sinks import (
     RunFolder,
     Sink,
     TracksCsv,
+    TrackStream,
 )
 from survtrack.sources import Source
 
@@ -52,6 +53,12 @@ MatrixOption = Annotated[
         "--matrix", help="Also write matrices.jsonl: each frame's costs, or beliefs, by name."
     ),
 ]
+StreamOption = Annotated[
+    bool,
+    typer.Option(
+        "--stream", help="Also write tracks.svt: the tracked states alone, for `survtrack replay`."
+    ),
+]
 
 
 def run(
@@ -68,6 +75,7 @@ def run(
     video: VideoOption = False,
     views: ViewsOption = None,
     matrix: MatrixOption = False,
+    stream: StreamOption = False,
     scene: SceneOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
@@ -104,8 +112,10 @@ def run(
         ]
         if matrix:
             sinks.append(MatrixLines(path / "matrices.jsonl"))
+        rate = source.fps / source.selection.step
+        if stream:
+            sinks.append(TrackStream(path / "tracks.svt", fps=rate))
         if video:
-            rate = source.fps / source.selection.step
             render = Views(names, flow_threshold_px)
             sinks.append(AnnotatedVideo(path / "annotated.mp4", render, fps=rate))
         return sinks

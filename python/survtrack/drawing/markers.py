@@ -69,7 +69,7 @@ def _draw_circle(scene: Scene, center: Points) -> None:
 def _draw_ellipse(scene: Scene, track: "Track", center: Points, distance: float) -> None:
     import cv2
 
-    corners = _bits(_near(scene, center + distance * _ellipse(track)))
+    corners = _bits(_near(scene, center + distance * unit_ellipse(track.position_covariance_px2)))
     line = Style.of(scene).line
     cv2.polylines(scene, [corners], True, color_of_id(track.id), line, cv2.LINE_AA, SHIFT)
 
@@ -95,9 +95,9 @@ def _bits(points: Points) -> npt.NDArray[np.int32]:
     return bits
 
 
-def _ellipse(track: "Track") -> Points:
-    """Points of one standard deviation round the estimate, Nx2."""
-    covariance = np.asarray(track.position_covariance_px2, float)
+def unit_ellipse(covariance: Points) -> Points:
+    """Points of one standard deviation round an estimate with this 2x2 covariance, Nx2."""
+    covariance = np.asarray(covariance, float)
     covariance = np.clip(np.nan_to_num(covariance), -MOST_VARIANCE_PX2, MOST_VARIANCE_PX2)
     # A root of the covariance, [[a, 0], [b, c]], makes the ellipse of the unit circle.
     a, most = (math.sqrt(max(float(variance), 0.0)) for variance in np.diag(covariance))

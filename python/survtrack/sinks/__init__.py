@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""Where results go: MOT text, CSV, events, matrices, masks, annotated video.
+"""Where results go: MOT text, CSV, events, matrices, masks, track streams, annotated video.
 
 A sink is a context manager with `write(frame, result)`. See Sink for the whole contract.
 """
@@ -12,6 +12,7 @@ from survtrack.sinks.masks import MaskFolder
 from survtrack.sinks.matrix import MatrixLines
 from survtrack.sinks.mot import MotText
 from survtrack.sinks.scene import LearnedScene
+from survtrack.sinks.track_stream import TrackStream
 from survtrack.sinks.tracks_csv import TracksCsv
 from survtrack.sinks.video import AnnotatedVideo
 
@@ -24,5 +25,6 @@ __all__ = [
     "MotText",
     "RunFolder",
     "Sink",
+    "TrackStream",
     "TracksCsv",
 ]

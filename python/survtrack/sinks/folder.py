@@ -19,6 +19,7 @@ OUTPUTS = (
     "tracks.txt",
     "events.jsonl",
     "tracks.csv",
+    "tracks.svt",
     "matrices.jsonl",
     "scene.json",
     "link.jsonl",

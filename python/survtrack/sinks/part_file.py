@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""A text file that gets its name when it is whole."""
+"""A file that gets its name when it is whole."""
 
 import os
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TextIO
+from typing import IO, AnyStr, Generic
 
 
 def part_of(path: Path) -> Path:
@@ -25,8 +26,8 @@ def naming(path: Path) -> Iterator[None]:
         raise OSError(error.errno, error.strerror, str(path)) from error
 
 
-class PartFile:
-    """Text written to NAME.part and renamed to NAME, in one step, by finish().
+class _PartFile(ABC, Generic[AnyStr]):
+    """Text or bytes written to NAME.part and renamed to NAME, in one step, by finish().
 
     Attributes:
         path: the final name.
@@ -36,15 +37,24 @@ class PartFile:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.done = False
-        self._file: TextIO | None = None
+        self._file: IO[AnyStr] | None = None
         self._failed = False
+
+    @property
+    def failed(self) -> bool:
+        """True once a write failed."""
+        return self._failed
 
     def open(self) -> None:
         """Start an empty NAME.part; raises OSError."""
         with naming(self.path):
-            self._file = part_of(self.path).open("w", encoding="utf-8", newline="\n")
+            self._file = self._opened(part_of(self.path))
 
-    def write(self, text: str) -> None:
+    @abstractmethod
+    def _opened(self, part: Path) -> IO[AnyStr]:
+        """The part, empty."""
+
+    def write(self, text: AnyStr) -> None:
         """Append; raises OSError, after which the file can no longer become whole."""
         if self._file is None:
             raise ValueError(f"{self.path}: written to while it is not open")
@@ -77,6 +87,27 @@ class PartFile:
             with naming(self.path):
                 os.replace(part_of(self.path), self.path)
             self.done = True
+
+    def discard(self) -> None:
+        """Close, and leave no part."""
+        if self._file is not None:
+            file, self._file = self._file, None
+            file.close()
+            part_of(self.path).unlink(missing_ok=True)
+
+
+class PartFile(_PartFile[str]):
+    """UTF-8 text."""
+
+    def _opened(self, part: Path) -> IO[str]:
+        return part.open("w", encoding="utf-8", newline="\n")
+
+
+class BytesPartFile(_PartFile[bytes]):
+    """Bytes."""
+
+    def _opened(self, part: Path) -> IO[bytes]:
+        return part.open("wb")
 
 
 def write_whole(path: Path, text: str) -> None:

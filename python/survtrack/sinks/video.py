@@ -27,26 +27,18 @@ ENCODER_OPTIONS = {"crf": "23", "preset": "veryfast"}
 CONTAINER_OPTIONS = {"movflags": "+faststart"}
 
 
-class AnnotatedVideo:
-    """MP4 with H.264, yuv420p, index at the front; one picture a result, at a steady rate.
+class VideoFile:
+    """MP4 with H.264, yuv420p, index at the front; pictures at a steady rate.
 
     H.264 wants even sides: a last column or row is repeated where a side is odd.
     """
 
-    def __init__(
-        self,
-        path: Path | str,
-        render: "Callable[[Frame, FrameResult], Frame]",
-        *,
-        fps: float,
-    ) -> None:
+    def __init__(self, path: Path | str, *, fps: float) -> None:
         """Args:
         path: the file to write.
-        render: makes the picture, HxWx3 BGR, of the same size for every frame; such as Views.
         fps: frames per second of the video.
         """
         self._path = Path(path)
-        self._render = render
         self._rate = Fraction(fps).limit_denominator(100_000)
         self._container: OutputContainer | None = None
         self._stream: VideoStream | None = None
@@ -95,9 +87,9 @@ class AnnotatedVideo:
             os.replace(part_of(self._path), self._path)
         self._done = True
 
-    def write(self, frame: "Frame", result: "FrameResult") -> None:
-        """Append the picture of one result; raises OSError when it cannot be written."""
-        picture = even_sided(self._render(frame, result))
+    def append(self, picture: "Frame") -> None:
+        """Append a picture, HxWx3 BGR of one size; raises OSError when it cannot be written."""
+        picture = even_sided(picture)
         try:
             with encoding(self._path):
                 self._append(picture)
@@ -117,6 +109,29 @@ class AnnotatedVideo:
             self._stream.pix_fmt = "yuv420p"
         image = av.VideoFrame.from_ndarray(picture, format="bgr24")
         self._container.mux(self._stream.encode(image))
+
+
+class AnnotatedVideo(VideoFile):
+    """One picture a result."""
+
+    def __init__(
+        self,
+        path: Path | str,
+        render: "Callable[[Frame, FrameResult], Frame]",
+        *,
+        fps: float,
+    ) -> None:
+        """Args:
+        path: the file to write.
+        render: makes the picture, HxWx3 BGR, of the same size for every frame; such as Views.
+        fps: frames per second of the video.
+        """
+        super().__init__(path, fps=fps)
+        self._render = render
+
+    def write(self, frame: "Frame", result: "FrameResult") -> None:
+        """Append the picture of one result; raises OSError when it cannot be written."""
+        self.append(self._render(frame, result))
 
 
 @contextmanager

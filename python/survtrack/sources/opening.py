@@ -92,3 +92,16 @@ def image_files(text: str) -> list[Path] | None:
     if not path.exists() and "://" not in text and glob.has_magic(text):
         return images_of_glob(text)
     return None
+
+
+def bytes_of_files(source: Source) -> int | None:
+    """Size of the file or files that a source reads; None unless it reads the whole of them."""
+    selection = source.selection
+    if source.endless or selection.start or selection.limit is not None:
+        return None
+    path = Path(source.name)
+    try:
+        files = [path] if path.is_file() else image_files(source.name)
+        return None if files is None else sum(file.stat().st_size for file in files)
+    except (InputError, OSError):
+        return None
