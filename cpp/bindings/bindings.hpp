@@ -50,5 +50,6 @@ void bind_beliefs(py::module_& module);
 void bind_pipeline(py::module_& module);
 void bind_offline(py::module_& module);
 void bind_patterns(py::module_& module);
+void bind_paths(py::module_& module);
 
 }  // namespace survtrack::bindings

@@ -40,4 +40,5 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_pipeline(module);
   bindings::bind_offline(module);
   bindings::bind_patterns(module);
+  bindings::bind_paths(module);
 }

@@ -116,7 +116,7 @@ void bind_event(py::module_& module) {
       .def_readonly("track_id", &Event::track_id, "0: concerns no track.")
       .def_readonly("place", &Event::place, "Where a track that ended was lost.")
       .def_readonly("confidence", &Event::confidence, "Of a track that came back: that it is the same, 0 to 1.")
-      .def_readonly("other_track_ids", &Event::other_track_ids)
+      .def_readonly("other_track_ids", &Event::other_track_ids, "The other tracks concerned, by id.")
       .def_property_readonly("position", [](const Event& e) { return tuple_of(e.position); }, "(x, y), px")
       .def_readonly("box", &Event::box, "px")
       .def_property_readonly("position_covariance_px2",

@@ -70,6 +70,8 @@ __all__: list[str] = [
     "OldestFirstOptions",
     "OutputOptions",
     "ParticleFilter",
+    "Path",
+    "Paths",
     "Pattern",
     "PatternOptions",
     "Patterns",
@@ -366,7 +368,10 @@ class Event:
     @property
     def kind(self) -> EventKind: ...
     @property
-    def other_track_ids(self) -> list[int]: ...
+    def other_track_ids(self) -> list[int]:
+        """
+        The other tracks concerned, by id.
+        """
     @property
     def place(self) -> LostPlace:
         """
@@ -2273,7 +2278,7 @@ class SharedBlobOptions:
 
     Args:
         min_cover: a track without a detection joins the one in whose detection more than this part of its predicted box lies; between 0 and 1
-        join_s: only a track that was seen so shortly before joins [s]; between 0 and 1000000
+        join_s: only a track that was seen so shortly before, or in the frame before, joins [s]; between 0 and 1000000
         max_s: a track that is not seen by itself for longer is lost [s]; between 0 and 1000000
         color_deviation: when the blob divides: standard deviation of a track's mean colour, of 0 to 1.73 (Narayana 2007, eq. 3.6); 0: colour does not count; between 0 and 1000000
     """
@@ -2315,7 +2320,7 @@ class SharedBlobOptions:
     @property
     def join_s(self) -> float:
         """
-        only a track that was seen so shortly before joins [s]
+        only a track that was seen so shortly before, or in the frame before, joins [s]
         """
     @join_s.setter
     def join_s(self, value: typing.Never) -> None: ...
@@ -4370,6 +4375,161 @@ class Patterns:
         """
         By id.
         """
+
+class Path:
+    """
+    A way through the image and coordinates by it: S along and T across (O'Malley 2000, 3), both in px.
+
+    T is positive to the right of who goes along the path, as seen in the picture. To each position belongs the
+    nearest point of the path; of those at equal distance the one with the smallest S. Beyond the ends of an open path
+    both go straight on. Outside of a corner S is the corner's and T the distance from it. A Path never changes.
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    @staticmethod
+    def from_json(json: str, source: str = "path") -> Path:
+        """
+        Reads what to_json() wrote. Raises InputError that names source, the entry and what is expected there.
+        """
+    @staticmethod
+    def from_pattern(
+        pattern: Pattern,
+        *,
+        kind: str = "curve",
+        close_within_px: typing.SupportsFloat | typing.SupportsIndex | None = None,
+        max_distance_px: typing.SupportsFloat | typing.SupportsIndex | None = None,
+    ) -> Path:
+        """
+        Along the way of a learned pattern. Closed when the way, having been twice as far away, comes back to within
+        close_within_px of its start (None: the objects' size), in about the direction in which it left; what comes
+        after is another lap and left out. Raises InputError, such as for a way that meets itself elsewhere.
+        """
+    def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __init__(
+        self,
+        points: typing.Any,
+        closed: bool = False,
+        *,
+        kind: str = "line",
+        max_distance_px: typing.SupportsFloat | typing.SupportsIndex | None = None,
+    ) -> None:
+        """
+        points: Nx2 (x, y) in px, 2 to 2000, 3 or more when closed; the last of a closed path is not the first again.
+        kind: "line", straight with corners, or "curve", a centripetal Catmull-Rom spline. max_distance_px: a position
+        farther off the path gets NaN. Raises InputError that names the point: not finite or beyond 1e6 px, the same as the
+        one before, where the path turns straight back, or meets itself.
+        """
+    def __repr__(self) -> str: ...
+    def normals(
+        self, s_px: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, of length 1: to the side where T is positive.
+        """
+    def residual(
+        self,
+        measured_s_px: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        predicted_s_px: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> typing.Any:
+        """
+        From the predicted to the measured S, numbers or arrays: of a closed path the shorter way round,
+        ((d + l/2) mod l) - l/2 (O'Malley 2000).
+        """
+    def tangents(
+        self, s_px: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, of length 1: where the path goes at each S; at a corner the mean of both directions.
+        """
+    def to_image(self, places: typing.Any) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2 (x, y) of Nx2 (S, T), px; a closed path goes round and round. Raises InputError as to_path() does.
+        """
+    def to_json(self) -> str:
+        """
+        Text that from_json() reads back to the same path.
+        """
+    def to_path(self, points: typing.Any) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2 (S, T) of Nx2 (x, y), px. S of a closed path is at least 0 and below the length. Rows farther off the path than
+        max_distance_px are NaN. Raises InputError for a number that is not finite or beyond 1e9.
+        """
+    def velocities(
+        self, points: typing.Any, velocities_px_per_s: typing.Any
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2 (dS/dt, dT/dt) in px/s of points that move, both Nx2: ds/dt = (v . tangent) / (1 - T / radius), the divisor
+        kept above 0.01. NaN as of to_path().
+        """
+    def wrap(self, s_px: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Any:
+        """
+        S of a closed path brought to at least 0 and below the length; a number, or an array of them.
+        """
+    @property
+    def closed(self) -> bool: ...
+    @property
+    def kind(self) -> str:
+        """
+        "line" or "curve".
+        """
+    @property
+    def length_px(self) -> float:
+        """
+        Of a closed path once round.
+        """
+    @property
+    def max_distance_px(self) -> float | None:
+        """
+        Or None.
+        """
+    @property
+    def points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2 (x, y), px.
+        """
+
+class Paths:
+    """
+    The paths of a scene by name, in their order, and the file that holds them.
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    @staticmethod
+    def from_json(json: str, source: str = "paths") -> Paths:
+        """
+        Reads a file of paths. Raises InputError that names source, the entry and what is expected there.
+        """
+    def __contains__(self, name: str) -> bool: ...
+    def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __getitem__(self, name: str) -> Path:
+        """
+        The Path of this name.
+        """
+    def __init__(
+        self,
+        paths: dict[str, Path],
+        frame_size: tuple[
+            typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex
+        ]
+        | None = None,
+    ) -> None:
+        """
+        paths: Path by name; frame_size: (width, height) in px of the frames that they are drawn on, or None. Raises
+        InputError for a name that is not 1 to 100 bytes without control characters.
+        """
+    def __len__(self) -> int: ...
+    def __repr__(self) -> str: ...
+    def to_json(self) -> str:
+        """
+        Text that from_json() reads back to the same paths.
+        """
+    @property
+    def frame_size(self) -> tuple[int, int] | None:
+        """
+        (width, height) in px, or None.
+        """
+    @property
+    def names(self) -> list[str]: ...
 
 def assign_hungarian(
     costs: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],

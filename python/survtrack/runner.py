@@ -9,7 +9,7 @@ from os import PathLike
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from survtrack.errors import UsageError
+from survtrack.errors import InputError, UsageError
 from survtrack.sources import ArraySource, Prefetch, open_source
 
 if TYPE_CHECKING:
@@ -170,6 +170,19 @@ def refuse_endless_delay(source: "Source", pipeline: "Pipeline") -> None:
             f"{source.name}: is a live stream, but this config answers "
             f"{pipeline.delay_frames} frames late; choose one without delay, such as the default"
         )
+
+
+def too_short(config: "Config", name: str, count: int) -> InputError | None:
+    """What is wrong when `count` frames are too few for the flow to an earlier one, if it is."""
+    from survtrack import HornSchunckOptions
+
+    segmenter = config.segmenter
+    if not isinstance(segmenter, HornSchunckOptions) or count > segmenter.frames_back:
+        return None
+    return InputError(
+        f"segmenter.frames_back: {segmenter.frames_back} is not allowed with the {count} "
+        f"frame(s) of {name}; expected fewer than there are"
+    )
 
 
 def track(

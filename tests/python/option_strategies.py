@@ -91,6 +91,8 @@ def sections_agree(config: survtrack.Config) -> bool:
         return False
     if config.outputs.flow and config.segmenter.model != "horn_schunck":
         return False
+    if config.outputs.background and config.segmenter.model == "horn_schunck":
+        return False
     return config.cost.model != "gaussian" or config.filter.model != "mean_velocity"
 
 

@@ -12,6 +12,13 @@ import numpy.typing as npt
 WIDTH, HEIGHT, SIDE, FRAMES = 160, 120, 20, 60
 FIRST = 25  # the frame, from 0, in which the square comes in
 
+# As in docs/paths.md.
+LANES = """\
+{"frame_size": [160, 120],
+ "paths": [{"name": "lane", "kind": "curve", "max_distance_px": 30,
+            "points": [[0, 40], [80, 60], [159, 60]]}]}
+"""
+
 Image = npt.NDArray[np.uint8]
 
 
@@ -33,7 +40,7 @@ def frame_and_mask(index: int) -> tuple[Image, Image]:
 
 
 def make_workspace(folder: Path) -> None:
-    """Writes video.mp4, frames/, gt.txt (MOT) and sequence/ (CDnet's layout) into `folder`."""
+    """Writes video.mp4, frames/, gt.txt (MOT), lanes.json and sequence/ (CDnet's) into `folder`."""
     for name in ("frames", "sequence/input", "sequence/groundtruth"):
         (folder / name).mkdir(parents=True)
     with av.open(folder / "video.mp4", "w") as video:
@@ -52,3 +59,4 @@ def make_workspace(folder: Path) -> None:
         for index in range(FIRST, FRAMES)
     ]
     (folder / "gt.txt").write_text("".join(rows))
+    (folder / "lanes.json").write_text(LANES)

@@ -24,6 +24,7 @@
 #include "survtrack/filtering/unscented_kalman_filter.hpp"
 #include "survtrack/filtering/white_noise.hpp"
 #include "survtrack/offline/link.hpp"
+#include "survtrack/offline/pattern_path.hpp"
 #include "survtrack/offline/patterns.hpp"
 #include "survtrack/pipeline/config.hpp"
 #include "survtrack/pipeline/detector.hpp"
@@ -33,3 +34,4 @@
 #include "survtrack/segmentation/horn_schunck.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
 #include "survtrack/segmentation/tiled_morphology.hpp"
+#include "survtrack/tracking/paths.hpp"

@@ -116,6 +116,10 @@ const Config& Config::check() const {
     throw ConfigError("outputs.vicinity: true needs a vicinity grid, and vicinity.model is \"none\"; "
                       "expected vicinity.model grid, or false");
   }
+  if (outputs.background && std::holds_alternative<HornSchunckOptions>(segmenter)) {
+    throw ConfigError("outputs.background: true needs a background picture, and segmenter.model is \"horn_schunck\"; "
+                      "expected another segmenter.model, or false");
+  }
   if (outputs.flow && !std::holds_alternative<HornSchunckOptions>(segmenter)) {
     throw ConfigError("outputs.flow: true needs a flow field, and segmenter.model is another; "
                       "expected segmenter.model horn_schunck, or false");

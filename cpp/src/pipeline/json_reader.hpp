@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,6 +77,22 @@ class JsonReader {
   std::string text() const {
     if (!json_->is_string()) refuse("is not a text");
     return json_->get<std::string>();
+  }
+
+  bool boolean() const {
+    if (!json_->is_boolean()) refuse("is not true or false");
+    return json_->get<bool>();
+  }
+
+  /// Refuses an object with an entry that is none of `keys`: in a file written by hand it is a slip.
+  void allow_only(std::initializer_list<std::string_view> keys) const {
+    if (!json_->is_object()) refuse("is not an object");
+    for (const auto& entry : json_->items()) {
+      if (std::find(keys.begin(), keys.end(), entry.key()) != keys.end()) continue;
+      std::string list;
+      for (const std::string_view key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
+      refuse("has an unknown entry " + Json(entry.key()).dump() + "; expected: " + list);
+    }
   }
 
   [[noreturn]] void refuse(const std::string& reason) const { throw InputError(path_ + ": " + reason); }

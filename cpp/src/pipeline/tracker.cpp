@@ -128,6 +128,7 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
   result.matrix_track_ids.clear();
   for (int i = 0; i < table_.size(); ++i) result.matrix_track_ids.push_back(table_.row(i).track.id);
   lifecycle_->update(table_, detections, result.matches);
+  table_.recognize();
   if (vicinity_) vicinity_->update(table_, detections);
   report(detections, result);
   table_.remove_closed();

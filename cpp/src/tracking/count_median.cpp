@@ -34,13 +34,20 @@ void CountMedian::update(TrackTable& table, const Detections& detections, const 
     const bool back = track.lost_frames == 0 && options_.restart_after_s > 0.0 && row.step_s > options_.restart_after_s;
     if (back) table.restart(i);
     table.set_status(i, track.lost_frames == 0 ? TrackStatus::confirmed : TrackStatus::lost);
-    table.set_reported(i, true);
+    table.set_reported(i, track.lost_frames == 0 || is_of_use(track, detections));
   }
   const int open = table.size();
   if (!options_.keep_contacts) close_missing(table, open - expected);
   int left = 0;
   for (int i = 0; i < open; ++i) left += table.row(i).track.status != TrackStatus::closed;
   start_newcomers(table, detections, matches, expected - left);
+}
+
+/// Whether the prediction of a missing contact still says where it may be. One that is kept is predicted for ever: out
+/// of the frame, and with its last acceleration.
+bool CountMedian::is_of_use(const Track& track, const Detections& now) const {
+  const bool restarts = options_.restart_after_s > 0.0 && now.time_s - track.end_time_s > options_.restart_after_s;
+  return !restarts && !outside_frame(track.box, now);
 }
 
 /// Of the missing those go that are missing for longest; of equal ones the youngest.

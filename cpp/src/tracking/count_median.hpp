@@ -19,6 +19,7 @@ class CountMedian final : public Lifecycle {
 
  private:
   int median_with(int count);
+  bool is_of_use(const Track& track, const Detections& now) const;
   void close_missing(TrackTable& table, int surplus);
   void start_newcomers(TrackTable& table, const Detections& detections, const Matches& matches, int places);
 

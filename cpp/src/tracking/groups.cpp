@@ -120,7 +120,9 @@ int GroupWatch::host_of(const TrackTable& table, const Detections& detections, c
   if (!lost.believed() || matches.detection_of_track[static_cast<std::size_t>(row)] >= 0) return -1;
   const std::int64_t group = lost.track.group;
   const double unseen_s = detections.time_s - lost.seen_time_s;
-  if (unseen_s > (group != 0 ? options_.max_s : options_.join_s) + time_slack_s) return -1;
+  // Who was seen in the frame before may join however long that is ago.
+  const bool just_seen = group == 0 && lost.track.lost_frames == 0;
+  if (!just_seen && unseen_s > (group != 0 ? options_.max_s : options_.join_s) + time_slack_s) return -1;
   const Box predicted = table.predicted_box(row);
   int host = -1;
   double most = 0.0;

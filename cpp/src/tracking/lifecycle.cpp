@@ -36,7 +36,7 @@ class ConfirmAndLose final : public Lifecycle {
     const double lost_s = now.time_s - track.end_time_s;
     if (track.lost_frames == 0) {
       table.set_status(i, TrackStatus::confirmed);
-    } else if (lost_s > options_.max_lost_s + time_slack_s || left(track, now)) {
+    } else if (lost_s > options_.max_lost_s + time_slack_s || outside_frame(track.box, now)) {
       table.set_status(i, TrackStatus::closed);
     } else {
       table.set_status(i, TrackStatus::lost);
@@ -60,12 +60,6 @@ class ConfirmAndLose final : public Lifecycle {
     if (row.travelled_px < options_.confirm_travel * row.size_px()) return;
     table.believe(i);
     table.set_reported(i, true);
-  }
-
-  static bool left(const Track& track, const Detections& now) {
-    if (now.frame_width <= 0 || now.frame_height <= 0) return false;
-    const Box frame{0.0, 0.0, static_cast<double>(now.frame_width), static_cast<double>(now.frame_height)};
-    return !frame.contains(track.box.center());
   }
 
   bool inside_a_track(const TrackTable& table, int open, int d, const Detections& detections) const {
@@ -115,6 +109,12 @@ struct MakeLifecycle {
 };
 
 }  // namespace
+
+bool outside_frame(const Box& box, const Detections& now) {
+  if (now.frame_width <= 0 || now.frame_height <= 0) return false;
+  const Box frame{0.0, 0.0, static_cast<double>(now.frame_width), static_cast<double>(now.frame_height)};
+  return !frame.contains(box.center());
+}
 
 std::unique_ptr<Lifecycle> make_lifecycle(const LifecycleOptions& options) {
   return std::visit(MakeLifecycle{}, options);

@@ -50,23 +50,43 @@ double ReentryMemory::weight(const Ended& ended, const OpenTrack& newcomer) cons
   return std::exp(-0.5 * deviations - away_s / options_.away_time_s);
 }
 
-std::optional<ReentryMemory::Identity> ReentryMemory::claim(const OpenTrack& newcomer) {
-  double sum = options_.newcomer_weight;
-  double best_weight = 0.0;
-  std::size_t best = 0;
-  for (std::size_t k = 0; k < ended_.size(); ++k) {
-    const double w = weight(ended_[k], newcomer);
-    sum += w;
-    if (w > best_weight) {
-      best_weight = w;
-      best = k;
+std::vector<ReentryMemory::Identity> ReentryMemory::claim(const std::vector<const OpenTrack*>& newcomers) {
+  const std::size_t rows = newcomers.size(), columns = ended_.size();
+  std::vector<Identity> identities(rows);
+  std::vector<double> weights(rows * columns), of_row(rows, 0.0), of_column(columns, 0.0);
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double w = weights[r * columns + c] = weight(ended_[c], *newcomers[r]);
+      of_row[r] += w;
+      of_column[c] += w;
     }
   }
-  const double confidence = best_weight / sum;
-  if (best_weight <= 0.0 || confidence < options_.min_confidence) return std::nullopt;
-  const Identity identity{ended_[best].id, confidence};
-  ended_.erase(ended_.begin() + static_cast<std::ptrdiff_t>(best));
-  return identity;
+  std::vector<char> taken(columns, 0);
+  for (std::size_t turn = 0; turn < std::min(rows, columns); ++turn) {
+    Identity surest;
+    std::size_t row = 0, column = 0;
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t c = 0; c < columns; ++c) {
+        const double w = weights[r * columns + c];
+        if (w <= 0.0 || identities[r].id != 0 || taken[c] != 0) continue;
+        // Whoever else may be that track, and whoever else that newcomer may be.
+        const double confidence = w / (options_.newcomer_weight + of_row[r] + (of_column[c] - w));
+        if (confidence < options_.min_confidence || confidence <= surest.confidence) continue;
+        surest = {ended_[c].id, confidence};
+        row = r;
+        column = c;
+      }
+    }
+    if (surest.id == 0) break;
+    identities[row] = surest;
+    taken[column] = 1;
+  }
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < columns; ++c) {
+    if (taken[c] == 0) ended_[kept++] = ended_[c];
+  }
+  ended_.resize(kept);
+  return identities;
 }
 
 }  // namespace survtrack

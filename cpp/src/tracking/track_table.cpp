@@ -159,12 +159,26 @@ int TrackTable::start(int detection, const Detections& detections) {
 }
 
 void TrackTable::believe(int i) {
-  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
-  Track& track = row.track;
-  const auto known = memory_ ? memory_->claim(row) : std::nullopt;
-  track.id = known ? known->id : ++last_id_;
-  row.reentry_confidence = known ? known->confidence : 0.0;
+  Track& track = rows_[static_cast<std::size_t>(i)].track;
+  track.id = ++last_id_;
   track.status = TrackStatus::confirmed;
+}
+
+void TrackTable::recognize() {
+  if (!memory_) return;
+  std::vector<OpenTrack*> found;
+  for (OpenTrack& row : rows_) {
+    if (row.track.id > last_known_id_) found.push_back(&row);
+  }
+  std::sort(found.begin(), found.end(), [](const auto* a, const auto* b) { return a->track.id < b->track.id; });
+  const auto identities = memory_->claim({found.begin(), found.end()});
+  last_id_ = last_known_id_;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const bool known = identities[k].id != 0;
+    found[k]->track.id = known ? identities[k].id : ++last_id_;
+    found[k]->reentry_confidence = identities[k].confidence;
+  }
+  last_known_id_ = last_id_;
 }
 
 void TrackTable::remove_closed() {
@@ -181,7 +195,7 @@ void TrackTable::clear() {
   rows_.clear();
   scale_.clear();
   if (memory_) memory_->clear();
-  last_id_ = 0;
+  last_id_ = last_known_id_ = 0;
   started_ = false;
 }
 

@@ -13,7 +13,7 @@ from survtrack.cli.messages import one_line, print_error
 from survtrack.cli.progress import show_progress
 from survtrack.cli.signals import interrupted_by_signal
 from survtrack.errors import InputError
-from survtrack.runner import RunSummary, refuse_endless_delay, run
+from survtrack.runner import RunSummary, refuse_endless_delay, run, too_short
 from survtrack.sinks import RunFolder, Sink
 from survtrack.sinks.folder import CONFIG, MANIFEST
 from survtrack.sources import Prefetch, Source, open_source
@@ -43,6 +43,7 @@ class Request:
     as_json: bool
     quiet: bool
     scene: Path | None = None
+    path_file: Path | None = None
 
 
 def resolve_config(request: Request) -> "Config":
@@ -74,8 +75,12 @@ def execute(
     request: Request,
     config: "Config",
     make_sinks: Callable[[RunFolder, Source, "Pipeline"], list[Sink]],
+    check: Callable[[Source], None] | None = None,
 ) -> int:
     """Run it all and print the summary; returns the exit code of an interrupted run, else 0.
+
+    check is called with the first result, before anything is written: the size of the frames is
+    known by then.
 
     Raises:
         SurvtrackError, OSError: what went wrong. Before the first result the folder is as it was;
@@ -95,18 +100,24 @@ def execute(
     refuse_endless_delay(source, pipeline)
     folder = RunFolder(request.out)
     sinks = make_sinks(folder, source, pipeline)
+
+    def begin() -> None:
+        if check is not None:
+            check(source)
+        folder.make()
+
     total = source.selection.expected_count(source.frame_count_declared)
-    if total is not None and (short := _too_short(config, source, total)):
+    if total is not None and (short := too_short(config, source.name, total)):
         raise short
     with (
         Prefetch(source) as frames,
         interrupted_by_signal(frames.interrupt) as signals,
         show_progress(total, quiet=request.quiet) as progress,
     ):
-        summary = run(frames, pipeline, sinks, progress, folder.make)
+        summary = run(frames, pipeline, sinks, progress, begin)
     if not summary.begun:
         return _nothing_begun(summary, signals)
-    summary.error = summary.error or _too_short(config, source, summary.frames)
+    summary.error = summary.error or too_short(config, source.name, summary.frames)
     facts = run_facts(request, source, summary)
     facts["outputs"] = [name for sink in sinks for name in sink.outputs]
     _finish(folder, facts, config, summary)
@@ -117,17 +128,6 @@ def execute(
         return _interrupted(signals)
     summary.raise_error()
     return 0
-
-
-def _too_short(config: "Config", source: Source, count: int) -> InputError | None:
-    """What is wrong when the flow to an earlier frame has none to start from; None when it has."""
-    segmenter = config.segmenter
-    if not isinstance(segmenter, survtrack.HornSchunckOptions) or count > segmenter.frames_back:
-        return None
-    return InputError(
-        f"segmenter.frames_back: {segmenter.frames_back} is not allowed with the {count} "
-        f"frame(s) of {source.name}; expected fewer than there are"
-    )
 
 
 def _nothing_begun(summary: RunSummary, signals: list[int]) -> int:
@@ -154,6 +154,7 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "config": None if request.config is None else str(request.config),
         "set": list(request.assignments),
         "scene": None if request.scene is None else str(request.scene),
+        "path": None if request.path_file is None else str(request.path_file),
         "complete": summary.complete,
         "error": None if summary.error is None else one_line(summary.error),
         "frames": {

@@ -60,8 +60,9 @@ def patterns(
 ) -> None:
     """Learn the ways that tracks of a run go, and find the unusual ones.
 
-    Writes DIR/patterns.json, activities.csv (what each track does), patterns.png (the ways as
-    arrows), config.toml and run.json; RUN_DIR stays as it is.
+    Writes DIR/patterns.json, activities.csv (what each track does), paths.json (the ways, for
+    `survtrack run --path`), patterns.png (the ways as arrows), config.toml and run.json; RUN_DIR
+    stays as it is.
     """
     start = PatternOptions() if known is None else read_patterns(known).options
     options = shared.resolve_options(start, config, assignments or [])
@@ -73,6 +74,8 @@ def patterns(
         if not facts["complete"]:
             print(f"the run is not complete ({facts['error']}); taken as far as it goes")
         _print_patterns(place / PATTERNS)
+        for identity, reason in facts["no_path"].items():
+            print(f"pattern {identity} is no path: {reason}")
         kinds = ", ".join(f"{kind}: {count}" for kind, count in facts["kinds"].items())
         print(f"tracks: {facts['tracks']}; {kinds}")
         print(f"{place}: {', '.join([*facts['outputs'], CONFIG, MANIFEST])}")

@@ -25,6 +25,7 @@ from survtrack.experiments import (
     own_dataset,
 )
 from survtrack.experiments.folder import REPORT, RESULTS
+from survtrack.experiments.footage import Footage
 from survtrack.experiments.plotting import require_matplotlib
 
 DATA = "SURVTRACK_DATA"
@@ -78,6 +79,8 @@ def reproduce(
     datasets = _datasets(experiment, source, truth, offset, fps, data)
     require_matplotlib()
     folder = ReportFolder(out)
+    # What is wrong with the first set shows before the long work begins.
+    first = load(datasets[0], size) if datasets else None
     _measure_made(experiment, quiet)
     for number, dataset in enumerate(datasets, start=1):
         if not quiet:
@@ -86,7 +89,8 @@ def reproduce(
                 file=sys.stderr,
                 flush=True,
             )
-        _measure(experiment, dataset, size, quiet)
+        _measure(experiment, first or load(dataset, size), quiet)
+        first = None
     facts = experiment.write(folder)
     folder.finish({"experiment": name, "versions": _versions(), **facts})
     if not quiet:
@@ -138,9 +142,8 @@ def _measure_made(experiment: Experiment, quiet: bool) -> None:
         experiment.measure_made(tick)
 
 
-def _measure(experiment: Experiment, dataset: Dataset, size: tuple[int, int], quiet: bool) -> None:
-    """Read a set and run everything on it; the progress counts the frames of all runs."""
-    footage = load(dataset, size)
+def _measure(experiment: Experiment, footage: Footage, quiet: bool) -> None:
+    """Run everything on a set; the progress counts the frames of all runs."""
     frames, done = len(footage.frames), 0
     with show_progress(frames * experiment.runs, quiet=quiet) as progress:
 

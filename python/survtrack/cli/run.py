@@ -12,12 +12,14 @@ from survtrack.cli import options
 from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.drawing import VIEW_NAMES, VIEW_OUTPUTS, Views
 from survtrack.errors import UsageError
+from survtrack.path_file import read_paths, require_frame_size
 from survtrack.sinks import (
     AnnotatedVideo,
     EventLines,
     LearnedScene,
     MatrixLines,
     MotText,
+    PathCsv,
     RunFolder,
     Sink,
     TracksCsv,
@@ -45,6 +47,14 @@ SceneOption = Annotated[
         "--scene",
         metavar="FILE",
         help="Start from what an earlier run learned of this scene: its scene.json.",
+    ),
+]
+PathOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--path",
+        metavar="FILE",
+        help="Also write path.csv: where tracks are along and across the paths of FILE (JSON).",
     ),
 ]
 MatrixOption = Annotated[
@@ -77,6 +87,7 @@ def run(
     matrix: MatrixOption = False,
     stream: StreamOption = False,
     scene: SceneOption = None,
+    path_file: PathOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> int:
@@ -87,9 +98,12 @@ def run(
     """
     request = Request(
         "run", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet, scene,
+        options.parse_size(resize), out, as_json, quiet, scene, path_file,
     )  # fmt: skip
     names = _view_names(video, views)
+    if "path" in names and path_file is None:
+        raise UsageError("--views path: shows a path; add --path FILE")
+    paths = None if path_file is None else read_paths(path_file)
     resolved = resolve_config(request)
     if "vicinity" in names and resolved.vicinity.model == "none":
         raise UsageError(
@@ -115,12 +129,18 @@ def run(
         rate = source.fps / source.selection.step
         if stream:
             sinks.append(TrackStream(path / "tracks.svt", fps=rate))
+        if paths is not None:
+            sinks.append(PathCsv(path / "path.csv", paths))
         if video:
-            render = Views(names, flow_threshold_px)
+            render = Views(names, flow_threshold_px, paths)
             sinks.append(AnnotatedVideo(path / "annotated.mp4", render, fps=rate))
         return sinks
 
-    return execute(request, resolved, make_sinks)
+    def check(source: Source) -> None:
+        if paths is not None and path_file is not None:
+            require_frame_size(paths, source.size, path_file)
+
+    return execute(request, resolved, make_sinks, check)
 
 
 def _view_names(video: bool, views: str | None) -> list[str]:

@@ -11,6 +11,7 @@ from survtrack.drawing.flow_wheel import FlowColorRenderer, flow_colors
 from survtrack.drawing.intensity import IntensityRenderer
 from survtrack.drawing.markers import MarkerRenderer
 from survtrack.drawing.matrix import MatrixRenderer
+from survtrack.drawing.paths import PathRenderer, draw_paths
 from survtrack.drawing.scene import Renderer, as_scene
 from survtrack.drawing.sheet import contact_sheet
 from survtrack.drawing.trails import TrailRenderer
@@ -29,6 +30,7 @@ __all__ = [
     "LostContactRenderer",
     "MarkerRenderer",
     "MatrixRenderer",
+    "PathRenderer",
     "Renderer",
     "TrailRenderer",
     "VicinityRenderer",
@@ -36,5 +38,6 @@ __all__ = [
     "as_scene",
     "color_of_id",
     "contact_sheet",
+    "draw_paths",
     "flow_colors",
 ]

@@ -50,14 +50,24 @@ def as_scene(image: Scene) -> Scene:
     return np.repeat(image[:, :, np.newaxis], 3, axis=2)
 
 
+def label_size(scene: Scene, text: str) -> tuple[int, int]:
+    """Width and height of the box that draw_label() fills, px."""
+    import cv2
+
+    style = Style.of(scene)
+    font = cv2.FONT_HERSHEY_SIMPLEX
+    (width, height), below = cv2.getTextSize(text, font, style.font_scale, style.line)
+    return width + 2 * style.margin, height + below + style.margin
+
+
 def draw_label(scene: Scene, text: str, corner: Point, paper: Color) -> None:
     """Write text on a filled box whose lower left corner is `corner`, moved to be inside."""
     import cv2
 
     style = Style.of(scene)
     font = cv2.FONT_HERSHEY_SIMPLEX
-    (width, height), below = cv2.getTextSize(text, font, style.font_scale, style.line)
-    width, height = width + 2 * style.margin, height + below + style.margin
+    _, below = cv2.getTextSize(text, font, style.font_scale, style.line)
+    width, height = label_size(scene, text)
     left = max(0, min(corner[0], scene.shape[1] - width))
     bottom = max(height, min(corner[1], scene.shape[0]))
     cv2.rectangle(scene, (left, bottom - height), (left + width, bottom), paper, cv2.FILLED)

@@ -15,6 +15,7 @@ from survtrack.drawing.flow_wheel import FlowColorRenderer
 from survtrack.drawing.intensity import IntensityRenderer
 from survtrack.drawing.markers import MarkerRenderer
 from survtrack.drawing.matrix import MatrixRenderer
+from survtrack.drawing.paths import PathRenderer
 from survtrack.drawing.scene import Renderer, Scene, as_scene, draw_label
 from survtrack.drawing.sheet import grid
 from survtrack.drawing.trails import TrailRenderer
@@ -22,11 +23,12 @@ from survtrack.drawing.vicinity import VicinityRenderer
 from survtrack.errors import UsageError
 
 if TYPE_CHECKING:
-    from survtrack._core import FrameResult
+    from survtrack._core import FrameResult, Paths
 
 VIEW_NAMES = (
     *("frame", "mask", "background", "blobs", "tracks", "matrix", "vicinity"),
     *("intensity", "flow", "flow_color", "boxes", "markers", "covariance", "lost_contacts"),
+    "path",
 )
 # The extra outputs that some views show.
 VIEW_OUTPUTS = {
@@ -47,11 +49,15 @@ class Views:
     """
 
     def __init__(
-        self, names: Sequence[str] = ("tracks",), flow_threshold_px: float = THRESHOLD_PX
+        self,
+        names: Sequence[str] = ("tracks",),
+        flow_threshold_px: float = THRESHOLD_PX,
+        paths: "Paths | None" = None,
     ) -> None:
         """Args:
         names: one or more of VIEW_NAMES, in the order they are shown, none twice.
         flow_threshold_px: flow by no more has no arrow, px a frame pair; 0 or more.
+        paths: what the view path draws.
 
         Raises:
             UsageError: an unknown name, none, or one twice; a threshold out of its range.
@@ -74,6 +80,7 @@ class Views:
             "markers": (MarkerRenderer(),),
             "covariance": (MarkerRenderer(COVERAGE),),
             "lost_contacts": (LostContactRenderer(),),
+            "path": (PathRenderer(paths), BoxRenderer()),
         }
 
     def __call__(self, frame: Scene, result: "FrameResult") -> Scene:

@@ -15,6 +15,7 @@ from survtrack.experiments.markdown import table
 from survtrack.experiments.marking import Marked, mark
 from survtrack.experiments.plotting import png
 from survtrack.experiments.trial import Variant
+from survtrack.runner import too_short
 from survtrack.sources.base import Size
 
 SCORES = ("HOTA", "MOTA", "IDF1")
@@ -82,7 +83,15 @@ class MarkedSet:
 def mark_set(
     footage: Footage, variants: Mapping[str, Variant], tick: Callable[[], None]
 ) -> MarkedSet:
-    """Run each variant on a set; `tick` is called after each."""
+    """Run each variant on a set; `tick` is called after each.
+
+    Raises:
+        InputError: fewer frames than a variant's flow looks back.
+    """
+    for variant in variants.values():
+        config = variant.config(footage.frame_period_s)
+        if short := too_short(config, footage.dataset.source, len(footage.frames)):
+            raise short
     marked = {}
     for name, variant in variants.items():
         marked[name] = mark(footage, variant)

@@ -7,7 +7,14 @@
 """
 
 from survtrack.offline.linking import link_run
-from survtrack.offline.patterns import patterns_of_run, read_patterns
+from survtrack.offline.patterns import paths_of, patterns_of_run, read_patterns
 from survtrack.offline.tracks_table import TracksTable, read_tracks_csv
 
-__all__ = ["TracksTable", "link_run", "patterns_of_run", "read_patterns", "read_tracks_csv"]
+__all__ = [
+    "TracksTable",
+    "link_run",
+    "paths_of",
+    "patterns_of_run",
+    "read_patterns",
+    "read_tracks_csv",
+]

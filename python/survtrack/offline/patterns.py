@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import survtrack
+from survtrack import _core
 from survtrack._core import Activity, ActivityKind, PatternOptions, Patterns, learn_patterns
 from survtrack.errors import InputError, UsageError
 from survtrack.evaluation.files import StrPath, read_bytes, require_folder
@@ -22,6 +23,7 @@ from survtrack.sinks.folder import MANIFEST, RunFolder
 from survtrack.sinks.part_file import write_whole, write_whole_bytes
 
 PATTERNS, ACTIVITIES, PICTURE = "patterns.json", "activities.csv", "patterns.png"
+PATHS = "paths.json"
 COLUMNS = (
     "id",
     "first_frame",
@@ -46,9 +48,9 @@ def patterns_of_run(
     """Learn the patterns of a run, or take known ones, and judge each track by them.
 
     The folder gets patterns.json, activities.csv (a line a track; the columns are COLUMNS),
-    patterns.png (the ways as arrows; only when the size of the frames is known), config.toml (the
-    options) and run.json. A run that was cut short is taken as far as it goes; run.json then says
-    so, as the run's does.
+    paths.json (see paths_of; only when there are any), patterns.png (the ways as arrows; only when
+    the size of the frames is known), config.toml (the options) and run.json. A run that was cut
+    short is taken as far as it goes; run.json then says so, as the run's does.
 
     Args:
         run_dir: the folder that `survtrack run` or `survtrack link` left.
@@ -85,6 +87,9 @@ def patterns_of_run(
     activities = patterns.classify(history)
     texts = {PATTERNS: patterns.to_json() + "\n", ACTIVITIES: _table(activities, table)}
     picture = None if size is None else _picture(patterns, size, run_facts)
+    paths, refused = paths_of(patterns)
+    if len(paths):
+        texts[PATHS] = paths.to_json() + "\n"
     facts = {
         "survtrack": survtrack.__version__,
         "command": "patterns",
@@ -94,6 +99,8 @@ def patterns_of_run(
         "tracks": len(history),
         "patterns": len(patterns),
         "kinds": _kinds(activities),
+        "paths": len(paths),
+        "no_path": {str(id): reason for id, reason in refused.items()},
         "outputs": [*texts, *([] if picture is None else [PICTURE])],
     }
     folder = RunFolder(place)
@@ -116,6 +123,25 @@ def read_patterns(path: StrPath) -> Patterns:
     except UnicodeDecodeError as error:
         raise InputError(f"{path}: is not UTF-8 text") from error
     return Patterns.from_json(text, str(path))
+
+
+def paths_of(patterns: Patterns) -> tuple[_core.Paths, dict[int, str]]:
+    """The ways of patterns as paths, "pattern 1" and so on, and why others are none, by id.
+
+    A path is a curve, closed when the way comes back to within the objects' size of its start. What
+    is farther from it than options.max_distance object sizes, as from the pattern, is not on it.
+    """
+    paths: dict[str, _core.Path] = {}
+    refused: dict[int, str] = {}
+    for pattern in patterns.patterns:
+        most_px = patterns.options.max_distance * pattern.size_px
+        try:
+            path = _core.Path.from_pattern(pattern, max_distance_px=most_px)
+        except InputError as error:
+            refused[pattern.id] = str(error)
+        else:
+            paths[f"pattern {pattern.id}"] = path
+    return _core.Paths(paths, patterns.frame_size), refused
 
 
 def _size_of(facts: dict[str, Any], manifest: Path) -> tuple[int, int] | None:

@@ -11,6 +11,7 @@ from survtrack.sinks.folder import RunFolder
 from survtrack.sinks.masks import MaskFolder
 from survtrack.sinks.matrix import MatrixLines
 from survtrack.sinks.mot import MotText
+from survtrack.sinks.path_csv import PathCsv
 from survtrack.sinks.scene import LearnedScene
 from survtrack.sinks.track_stream import TrackStream
 from survtrack.sinks.tracks_csv import TracksCsv
@@ -23,6 +24,7 @@ __all__ = [
     "MaskFolder",
     "MatrixLines",
     "MotText",
+    "PathCsv",
     "RunFolder",
     "Sink",
     "TrackStream",

@@ -21,11 +21,13 @@ OUTPUTS = (
     "tracks.csv",
     "tracks.svt",
     "matrices.jsonl",
+    "path.csv",
     "scene.json",
     "link.jsonl",
     "patterns.json",
     "activities.csv",
     "patterns.png",
+    "paths.json",
     "annotated.mp4",
     MASK_GLOB,
 )

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "survtrack/pipeline/pipeline.hpp"
+#include "survtrack/tracking/path.hpp"
 #include "synthetic_scene.hpp"
 
 namespace {
@@ -66,6 +67,15 @@ TEST(AllocationCount, Counts) {
   EXPECT_EQ(one.largest, 100 * sizeof(int));
   cv::Mat image;
   EXPECT_GE(allocations_of([&] { image.create(10, 10, CV_8UC1); }).count, 1);
+}
+
+TEST(Allocations, APathConvertsWithoutAny) {
+  const Path path({{0, 0}, {100, 0}, {130, 60}, {0, 90}}, true, PathKind::curve);
+  std::vector<Point> points(1000);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {0.13 * static_cast<double>(i), 0.07 * static_cast<double>(i)};
+  std::vector<PathPosition> places(points.size());
+  EXPECT_EQ(allocations_of([&] { path.to_path(points.data(), points.size(), places.data()); }).count, 0);
+  EXPECT_EQ(allocations_of([&] { path.to_image(places.data(), places.size(), points.data()); }).count, 0);
 }
 
 /// A frame's allocations in `process` with the caller's buffers, once everything has its size: a square goes

@@ -160,6 +160,14 @@ TEST(Groups, WhoeverIsNotSeenForTooLongIsLost) {
   EXPECT_LE(left, 23 + 10 + 6);
 }
 
+// Four frames a second and fewer: a step is longer than join_s.
+TEST(Groups, AreFoundAtLowFrameRates) {
+  BoxRun run(group_config(), 0.5, 384, 288);
+  std::string events;
+  for (int frame = 0; frame < 50; ++frame) events += told(run.see(two(60.0 + 4.0 * frame, 260.0 - 4.0 * frame)));
+  EXPECT_EQ(events, "tracks 1 and 2 merged; tracks 1 and 2 parted; ");
+}
+
 TEST(Groups, OnlyThoseThatWereJustSeenJoin) {
   Config config = group_config();
   config.lifecycle = LostCountOptions{.lost_after_frames = 50};

@@ -24,6 +24,13 @@ OpenTrack ended(std::int64_t id, const Point& position, double time_s, const Col
   return row;
 }
 
+/// The identity of someone who comes alone; nothing for someone new.
+std::optional<ReentryMemory::Identity> claim(ReentryMemory& memory, const OpenTrack& newcomer) {
+  const auto identity = memory.claim({&newcomer}).front();
+  if (identity.id == 0) return std::nullopt;
+  return identity;
+}
+
 OpenTrack newcomer(const Point& position, double time_s, const Color& color = {}) {
   OpenTrack row;
   row.width_px = row.height_px = 20.0;
@@ -37,29 +44,43 @@ OpenTrack newcomer(const Point& position, double time_s, const Color& color = {}
 TEST(Reentry, ConfidenceIsAPartOfAllWeights) {
   ReentryMemory memory({.away_time_s = 30.0, .place_deviation = 1.5, .color_deviation = 0.1, .newcomer_weight = 0.2});
   memory.remember(ended(7, {100.0, 50.0}, 10.0, {100.0, 100.0, 100.0}));
-  const auto found = memory.claim(newcomer({115.0, 50.0}, 16.0, {100.0, 100.0, 110.2}));
+  const auto found = claim(memory, newcomer({115.0, 50.0}, 16.0, {100.0, 100.0, 110.2}));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, 7);
   const double w = std::exp(-0.5 * 0.25 - 0.5 * 0.16 - 0.2);  // 15 px of 30; 0.04 of 0.1; 6 s of 30
   EXPECT_NEAR(found->confidence, w / (w + 0.2), 1e-12);
-  EXPECT_FALSE(memory.claim(newcomer({115.0, 50.0}, 16.0, {100.0, 100.0, 110.2}))) << "nobody comes back twice";
+  EXPECT_FALSE(claim(memory, newcomer({115.0, 50.0}, 16.0, {100.0, 100.0, 110.2}))) << "nobody comes back twice";
 }
 
 TEST(Reentry, TwoWhoLookTheSameAreNotToldApart) {
   ReentryMemory memory({.min_confidence = 0.5});
   memory.remember(ended(1, {100.0, 50.0}, 10.0));
   memory.remember(ended(2, {100.0, 50.0}, 10.0));
-  EXPECT_FALSE(memory.claim(newcomer({100.0, 50.0}, 11.0)));
+  EXPECT_FALSE(claim(memory, newcomer({100.0, 50.0}, 11.0)));
+}
+
+// By hand: at one place weights are e^0 and e^(-1/2), for 1.5 sizes of 20 px; no time passes that counts.
+TEST(Reentry, OfTwoNewcomersTheNearerIsTheOneWhateverTheirOrder) {
+  const OpenTrack near = newcomer({100.0, 50.0}, 11.0), far = newcomer({130.0, 50.0}, 11.0);
+  const double w = 1.0, other = std::exp(-0.5);
+  for (const bool near_first : {true, false}) {
+    ReentryMemory memory({.away_time_s = 1e6, .newcomer_weight = 0.05});
+    memory.remember(ended(1, {100.0, 50.0}, 10.0));
+    const auto found = memory.claim(near_first ? std::vector{&near, &far} : std::vector{&far, &near});
+    EXPECT_EQ(found[near_first ? 0 : 1].id, 1);
+    EXPECT_NEAR(found[near_first ? 0 : 1].confidence, w / (0.05 + w + other), 1e-5);
+    EXPECT_EQ(found[near_first ? 1 : 0].id, 0);
+  }
 }
 
 TEST(Reentry, PlaceTimeAndColorEachTellSomeoneNew) {
   ReentryMemory memory({.max_away_s = 60.0});
   memory.remember(ended(1, {100.0, 50.0}, 10.0, {100.0, 100.0, 100.0}));
-  EXPECT_FALSE(memory.claim(newcomer({250.0, 50.0}, 11.0, {100.0, 100.0, 100.0})));
-  EXPECT_FALSE(memory.claim(newcomer({100.0, 50.0}, 71.0, {100.0, 100.0, 100.0})));
-  EXPECT_FALSE(memory.claim(newcomer({100.0, 50.0}, 11.0, {200.0, 100.0, 100.0})));
-  EXPECT_FALSE(memory.claim(newcomer({100.0, 50.0}, 9.0, {100.0, 100.0, 100.0}))) << "it was there when the other was";
-  EXPECT_TRUE(memory.claim(newcomer({100.0, 50.0}, 11.0, {100.0, 100.0, 100.0})));
+  EXPECT_FALSE(claim(memory, newcomer({250.0, 50.0}, 11.0, {100.0, 100.0, 100.0})));
+  EXPECT_FALSE(claim(memory, newcomer({100.0, 50.0}, 71.0, {100.0, 100.0, 100.0})));
+  EXPECT_FALSE(claim(memory, newcomer({100.0, 50.0}, 11.0, {200.0, 100.0, 100.0})));
+  EXPECT_FALSE(claim(memory, newcomer({100.0, 50.0}, 9.0, {100.0, 100.0, 100.0}))) << "it was there when the other was";
+  EXPECT_TRUE(claim(memory, newcomer({100.0, 50.0}, 11.0, {100.0, 100.0, 100.0})));
 }
 
 TEST(Reentry, WhoWalkedOnMayComeBackFurtherOn) {
@@ -67,16 +88,16 @@ TEST(Reentry, WhoWalkedOnMayComeBackFurtherOn) {
   walker.seen_velocity_px_per_s = {60.0, 0.0};
   ReentryMemory memory({});
   memory.remember(walker);
-  EXPECT_TRUE(memory.claim(newcomer({190.0, 50.0}, 11.5)));
+  EXPECT_TRUE(claim(memory, newcomer({190.0, 50.0}, 11.5)));
 }
 
 TEST(Reentry, TheForgottenAreForgotten) {
   ReentryMemory memory({.max_away_s = 5.0});
   memory.remember(ended(1, {100.0, 50.0}, 10.0));
   memory.remember(ended(2, {300.0, 50.0}, 20.0));
-  EXPECT_FALSE(memory.claim(newcomer({100.0, 50.0}, 15.1)));
+  EXPECT_FALSE(claim(memory, newcomer({100.0, 50.0}, 15.1)));
   memory.clear();
-  EXPECT_FALSE(memory.claim(newcomer({300.0, 50.0}, 21.0)));
+  EXPECT_FALSE(claim(memory, newcomer({300.0, 50.0}, 21.0)));
 }
 
 /// Walks out on the right, stays away, and walks in again at the same place.

@@ -23,7 +23,14 @@ from survtrack.drawing.colors import color_of_id
 from survtrack.offline import read_patterns
 from survtrack.sinks.tracks_csv import COLUMNS
 
-OUTPUTS = ["activities.csv", "config.toml", "patterns.json", "patterns.png", "run.json"]
+OUTPUTS = [
+    "activities.csv",
+    "config.toml",
+    "paths.json",
+    "patterns.json",
+    "patterns.png",
+    "run.json",
+]
 SIZE = (480, 400)
 
 
@@ -180,7 +187,7 @@ def test_prints_a_summary(run_dir: Path, capsys: pytest.CaptureFixture[str]) -> 
     out = capsys.readouterr().out.splitlines()
     assert out[0] == "pattern 1: 6 tracks from (40, 200) to (440, 200), 40 px/s, 10.0 s"
     assert out[4] == "tracks: 18; usual: 18, standing: 0, other_way: 0, too_fast: 0, too_slow: 0"
-    names = "patterns.json, activities.csv, patterns.png, config.toml, run.json"
+    names = "patterns.json, activities.csv, paths.json, patterns.png, config.toml, run.json"
     assert out[5:] == [f"{run_dir / 'patterns'}: {names}"]
     assert patterns(run_dir, "-q") == 0
     assert capsys.readouterr() == ("", "")

@@ -106,3 +106,17 @@ def test_narayana2007_has_no_scenes_of_its_own() -> None:
     assert list(EXPERIMENTS) == ["narayana2007", "semko2007", "suliman2010"]
     assert Narayana2007.made_frames == 0
     Narayana2007().measure_made(lambda frames: pytest.fail("a run"))
+
+
+@pytest.mark.parametrize("name", ["semko2007", "suliman2010"])
+def test_footage_without_any_flow_is_refused(
+    name: str, clip: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    frames = walking_square(1, width=128, height=96, side=24, still=0)
+    write_images(tmp_path / "in", frames)
+    (tmp_path / "gt.txt").write_text("1,7,4,32,24,24,1,-1,-1,-1\n")
+    given = ("--source", str(tmp_path / "in"), "--truth", str(tmp_path / "gt.txt"))
+    assert main(["reproduce", name, *given, "--out", str(tmp_path / "out"), "-q"]) == 1
+    told = capsys.readouterr().err
+    assert "segmenter.frames_back" in told and "1 frame(s)" in told
+    assert not (tmp_path / "out" / "results.json").exists()

@@ -32,7 +32,7 @@ struct SharedBlobOptions {
         field("min_cover", &O::min_cover, "",
               "a track without a detection joins the one in whose detection more than this part of its predicted box lies",
               between(0, 1)),
-        field("join_s", &O::join_s, "s", "only a track that was seen so shortly before joins", between(0, 1e6)),
+        field("join_s", &O::join_s, "s", "only a track that was seen so shortly before, or in the frame before, joins", between(0, 1e6)),
         field("max_s", &O::max_s, "s", "a track that is not seen by itself for longer is lost", between(0, 1e6)),
         field("color_deviation", &O::color_deviation, "",
               "when the blob divides: standard deviation of a track's mean colour, of 0 to 1.73 (Narayana 2007, eq. 3.6); "

@@ -26,6 +26,9 @@ class Lifecycle {
   virtual void clear() {}
 };
 
+/// Whether the middle of a box lies outside of the frame; never while its size is unknown.
+bool outside_frame(const Box& box, const Detections& now);
+
 std::unique_ptr<Lifecycle> make_lifecycle(const LifecycleOptions& options);
 
 }  // namespace survtrack

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "survtrack/core/geometry.hpp"
@@ -22,12 +21,12 @@ class ReentryMemory {
   void remember(const OpenTrack& ended);
 
   struct Identity {
-    std::int64_t id = 0;
+    std::int64_t id = 0;      ///< 0: someone new
     double confidence = 0.0;  ///< 0 to 1, see RememberOptions
   };
-  /// The track that `newcomer` continues, which is then no longer remembered; nothing for someone new. The newcomer has
-  /// no velocity of which something is known: its first place counts.
-  std::optional<Identity> claim(const OpenTrack& newcomer);
+  /// Which tracks the newcomers of one frame continue; those are then no longer remembered. The surest goes first, and
+  /// the newcomers' order does not matter. Of a newcomer's velocity nothing is known: its first place counts.
+  std::vector<Identity> claim(const std::vector<const OpenTrack*>& newcomers);
 
   void clear() { ended_.clear(); }
 

@@ -72,9 +72,11 @@ class TrackTable {
   void restart(int i);
   /// A new tentative track at the end of the table.
   int start(int detection, const Detections& detections);
-  /// Gives a tentative track its number, a new one or that of the ended track that it continues: from here on it is
-  /// believed.
+  /// Gives a tentative track its number: from here on it is believed.
   void believe(int i);
+  /// After all that are new in this frame have their numbers: those that continue a track that ended get its number
+  /// instead, and the others' close up, so that there are no gaps.
+  void recognize();
   void set_status(int i, TrackStatus status) { rows_[static_cast<std::size_t>(i)].track.status = status; }
   void set_reported(int i, bool reported) { rows_[static_cast<std::size_t>(i)].track.reported = reported; }
   /// Takes closed tracks out; order stays. Those that were believed may come back.
@@ -93,6 +95,7 @@ class TrackTable {
   ScaleLearner scale_;
   std::optional<ReentryMemory> memory_;
   std::int64_t last_id_ = 0;
+  std::int64_t last_known_id_ = 0;  ///< when the last frame was over
   double time_s_ = 0.0;
   double dt_s_ = 0.0;
   bool started_ = false;
