@@ -121,6 +121,14 @@ TEST(HornSchunckSegmenter, DetectorsHandOutTheFlowWhenAsked) {
   EXPECT_EQ(message.find("outputs.flow: true needs a flow field"), 0U) << message;
 }
 
+TEST(HornSchunck, HasNoBackgroundToAskFor) {
+  Config config;
+  config.segmenter = HornSchunckOptions{};
+  config.outputs.background = true;
+  const std::string message = message_of<ConfigError>([&] { config.check(); });
+  EXPECT_EQ(message.find("outputs.background: true needs a background picture"), 0U) << message;
+}
+
 TEST(HornSchunck, WritesIntoTheGivenFieldsAndMayStartFromThem) {
   const auto frames = film(2);
   FlowField expected;
