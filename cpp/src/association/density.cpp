@@ -103,7 +103,7 @@ std::vector<double> Density::values() const {
 }
 
 DensityLearner::DensityLearner(Density start, int learn_after)
-    : start_(start), density_(std::move(start)), learn_after_(learn_after), counts_(start_.relative().size(), 0.0) {}
+    : start_(start), density_(std::move(start)), learn_after_(learn_after), counts_(start_.relative().size(), 0.0), saved_(counts_) {}
 
 void DensityLearner::add(double difference) {
   if (learn_after_ == 0) return;
@@ -115,6 +115,7 @@ void DensityLearner::add(double difference) {
   if (samples_ > std::max(most_samples, 2.0 * learn_after_)) {
     samples_ *= 0.5;
     for (double& count : counts_) count *= 0.5;
+    for (double& count : saved_) count *= 0.5;
   }
   const bool first = samples_ - since_fit_ < learn_after_ && samples_ >= learn_after_;
   if (samples_ >= learn_after_ && (first || since_fit_ >= refit_after)) fit();
@@ -122,12 +123,16 @@ void DensityLearner::add(double difference) {
 
 void DensityLearner::fit() {
   since_fit_ = 0;
-  const double quartiles = quantile(counts_, 0.75) - quantile(counts_, 0.25);
-  const double width = 0.9 * std::min(standard_deviation(counts_), quartiles / 1.34) * std::pow(samples_, -0.2);
+  std::vector<double> all = counts_;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] += saved_[i];
+  const double quartiles = quantile(all, 0.75) - quantile(all, 0.25);
+  const double width = 0.9 * std::min(standard_deviation(all), quartiles / 1.34) * std::pow(samples_, -0.2);
   const int most = static_cast<int>(counts_.size()) / 4;
   // A triangle of half-width w has the standard deviation w / sqrt(6).
   const int reach = static_cast<int>(std::clamp(std::lround(width * std::sqrt(6.0)) - 1L, 0L, static_cast<long>(most)));
   std::vector<double> shape = smoothed(counts_, reach);
+  const double triangle = (reach + 1.0) * (reach + 1.0);  // its weights' sum
+  for (std::size_t i = 0; i < shape.size(); ++i) shape[i] += triangle * saved_[i];
   const double peak = *std::max_element(shape.begin(), shape.end());
   for (std::size_t i = 0; i < shape.size(); ++i) {
     shape[i] = (1.0 - start_height) * shape[i] / peak + start_height * start_.relative_[i];
@@ -148,11 +153,21 @@ void DensityLearner::restore(const Density& learned, double samples, const std::
     start_ = learned;
     samples_ = 0.0;
     std::fill(counts_.begin(), counts_.end(), 0.0);
+    std::fill(saved_.begin(), saved_.end(), 0.0);
     return;
   }
   samples_ = samples;
-  const double total = mass(learned.relative());
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] = samples * learned.relative()[i] / total;
+  std::fill(counts_.begin(), counts_.end(), 0.0);
+  // Were it smoothed and laid over the start once more, it would grow wider with every restart.
+  for (std::size_t i = 0; i < saved_.size(); ++i) {
+    saved_[i] = std::max(0.0, learned.relative()[i] - start_height * start_.relative_[i]);
+  }
+  const double total = mass(saved_);
+  if (total > 0.0) {
+    for (double& count : saved_) count *= samples / total;
+  } else {  // nothing was learned that is not in the start
+    for (std::size_t i = 0; i < saved_.size(); ++i) saved_[i] = samples * learned.relative()[i] / mass(learned.relative());
+  }
 }
 
 }  // namespace survtrack

@@ -125,6 +125,26 @@ TEST(DensityLearner, GoesOnFromWhatWasSaved) {
   EXPECT_NEAR(half_width(again.density()), half_width(saved), 0.1 * half_width(saved));
 }
 
+TEST(DensityLearner, DoesNotDriftWithRestarts) {
+  Differences differences;
+  DensityLearner first(start(), 200);
+  for (int i = 0; i < 5000; ++i) first.add(differences.laplace(40.0));
+  Density density = first.density();
+  double samples = first.samples();
+  for (int restart = 0; restart < 30; ++restart) {
+    DensityLearner next(start(), 200);
+    next.restore(Density::from_values(range, density.values(), "saved"), samples, "saved");
+    for (int i = 0; i < 100; ++i) next.add(differences.laplace(40.0));
+    density = next.density();
+    samples = next.samples();
+  }
+  EXPECT_EQ(samples, 8000.0);
+  EXPECT_NEAR(half_width(density), half_width(first.density()), 0.1 * half_width(first.density()));
+  for (double difference = 100.0; difference <= 300.0; difference += 50.0) {
+    EXPECT_NEAR(density(difference), first.density()(difference), 0.03) << difference;
+  }
+}
+
 TEST(DensityLearner, AStartThatWasSavedIsNoExperience) {
   DensityLearner unused(start(), 200);
   for (int i = 0; i < 150; ++i) unused.add(60.0);

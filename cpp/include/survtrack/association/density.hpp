@@ -70,7 +70,8 @@ class DensityLearner {
   int learn_after_;
   double samples_ = 0.0;
   int since_fit_ = 0;
-  std::vector<double> counts_;
+  std::vector<double> counts_;  ///< of what was added, a bin
+  std::vector<double> saved_;   ///< of what was restored: smooth already, and without the start beneath
 };
 
 }  // namespace survtrack
