@@ -23,9 +23,6 @@ OutOption = Annotated[
     Path | None,
     typer.Option("--out", metavar="DIR", help="Folder for the results, instead of RUN_DIR/linked."),
 ]
-ConfigOption = Annotated[
-    Path | None, typer.Option("--config", metavar="FILE", help="TOML of options.")
-]
 SetOption = Annotated[
     list[str] | None,
     typer.Option(
@@ -40,7 +37,7 @@ SetOption = Annotated[
 def link(
     run_dir: RunArgument,
     out: OutOption = None,
-    config: ConfigOption = None,
+    config: shared.OptionsFileOption = None,
     assignments: SetOption = None,
     as_json: shared.JsonOption = False,
     quiet: shared.QuietOption = False,

@@ -63,6 +63,9 @@ ResizeOption = Annotated[
         help="Scale frames to W x H pixels; results are in pixels of the scaled frames.",
     ),
 ]
+OptionsFileOption = Annotated[
+    Path | None, typer.Option("--config", metavar="FILE", help="TOML of options.")
+]
 JsonOption = Annotated[
     bool, typer.Option("--json", help="Print the summary as JSON, for programs.")
 ]

@@ -35,9 +35,6 @@ KnownOption = Annotated[
         help="Judge by the patterns.json of an earlier run, with its options, and learn nothing.",
     ),
 ]
-ConfigOption = Annotated[
-    Path | None, typer.Option("--config", metavar="FILE", help="TOML of options.")
-]
 SetOption = Annotated[
     list[str] | None,
     typer.Option(
@@ -53,7 +50,7 @@ def patterns(
     run_dir: RunArgument,
     known: KnownOption = None,
     out: OutOption = None,
-    config: ConfigOption = None,
+    config: shared.OptionsFileOption = None,
     assignments: SetOption = None,
     as_json: shared.JsonOption = False,
     quiet: shared.QuietOption = False,
