@@ -25,7 +25,7 @@ int add(KalmanArray& self, const Numbers& states, const Numbers& covariances) {
       const double* const P = covariances.data() + (for_all ? 0 : k * rows * columns);
       self.add(x.col(k), Eigen::Map<const RowMajor>(P, rows, columns));
     }
-  } catch (...) {
+  } catch (...) {  // passed on: the bank is first as it was before
     while (self.size() > first) self.remove(self.size() - 1);
     throw;
   }
