@@ -38,6 +38,7 @@ py::array_t<double> array_of(const Symmetric2& m);
 
 void bind_options(py::module_& module);
 void bind_config(py::module_& module);
+void bind_region_values(py::module_& module);
 void bind_values(py::module_& module);
 void bind_results(py::module_& module);
 void bind_segmentation(py::module_& module);
@@ -51,5 +52,7 @@ void bind_pipeline(py::module_& module);
 void bind_offline(py::module_& module);
 void bind_patterns(py::module_& module);
 void bind_paths(py::module_& module);
+void bind_regions(py::module_& module);
+void bind_appearance(py::module_& module);
 
 }  // namespace survtrack::bindings

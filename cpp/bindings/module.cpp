@@ -41,4 +41,6 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_offline(module);
   bindings::bind_patterns(module);
   bindings::bind_paths(module);
+  bindings::bind_regions(module);
+  bindings::bind_appearance(module);
 }

@@ -31,18 +31,23 @@ void bind_options(py::module_& module) {
   bind_model_options<MatchMatrixOptions>(module, "MatchMatrixOptions");
   bind_model_options<BeliefOptions>(module, "BeliefOptions");
   bind_model_options<DistanceOptions>(module, "DistanceOptions");
+  bind_model_options<NoAppearanceOptions>(module, "NoAppearanceOptions");
+  bind_model_options<ColorHistogramOptions>(module, "ColorHistogramOptions");
   bind_model_options<HungarianOptions>(module, "HungarianOptions");
   bind_model_options<OldestFirstOptions>(module, "OldestFirstOptions");
   bind_model_options<RowOrderOptions>(module, "RowOrderOptions");
   bind_model_options<ConfirmAndLoseOptions>(module, "ConfirmAndLoseOptions");
   bind_model_options<LostCountOptions>(module, "LostCountOptions");
   bind_model_options<CountMedianOptions>(module, "CountMedianOptions");
+  bind_model_options<RegionGrowthOptions>(module, "RegionGrowthOptions");
   bind_model_options<NoGroupsOptions>(module, "NoGroupsOptions");
   bind_model_options<SharedBlobOptions>(module, "SharedBlobOptions");
   bind_model_options<NoReentryOptions>(module, "NoReentryOptions");
   bind_model_options<RememberOptions>(module, "RememberOptions");
   bind_model_options<NoVicinityOptions>(module, "NoVicinityOptions");
   bind_model_options<GridVicinityOptions>(module, "GridVicinityOptions");
+  bind_model_options<NoRegionsOptions>(module, "NoRegionsOptions");
+  bind_model_options<PredictedRegionsOptions>(module, "PredictedRegionsOptions");
   bind_frozen_options<OutputOptions>(module, "OutputOptions", "Extras of a result that cost something");
 }
 

@@ -72,6 +72,12 @@ void bind_whole(py::module_& module) {
       .def("finish", &finish_pipeline, "The source has ended: the results still due. After it only reset() is allowed.")
       .def("reset", [](PyPipeline& self) { self.run([](Pipeline& p) { p.reset(); }); },
            "Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.")
+      .def(
+          "load_zones",
+          [](PyPipeline& self, const std::vector<Box>& zones) { self.run([&](Pipeline& s) { s.load_zones(zones); }); },
+          py::arg("zones"),
+          "Where newcomers are looked for, boxes in px, with regions.acquisition zones; before the first frame. Kept by\n"
+          "reset(). Raises InputError for none, for zones without size, and when the config has no use for them.")
       .def("learned_scene", [](PyPipeline& self) { return self.run([](Pipeline& s) { return s.learned_scene(); }); },
            "What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.")
       .def(
@@ -92,15 +98,15 @@ void bind_detector(py::module_& module) {
       .def(
           "process",
           [](PyDetector& self, const py::object& frame, double time_s, std::optional<std::int64_t> index,
-             const std::vector<Box>& keep) -> py::object {
+             const std::vector<Box>& keep, const std::vector<Box>& regions) -> py::object {
             const ImageView view = view_of_image(frame, "frame");
-            auto detections = self.run([&](Detector& d) { return d.process(view.image, time_s, index, keep); });
+            auto detections = self.run([&](Detector& d) { return d.process(view.image, time_s, index, keep, regions); });
             return detections ? py::cast(PyDetections{std::move(*detections)}) : py::none();
           },
           py::arg("frame"), py::arg("time_s"), py::arg("index") = py::none(), py::kw_only(),
-          py::arg("keep") = std::vector<Box>{},
+          py::arg("keep") = std::vector<Box>{}, py::arg("regions") = std::vector<Box>{},
           "Frame in, detections out; None while a delayed model fills. Arguments as for Pipeline.process; keep: places\n"
-          "that the background must not learn.")
+          "that the background must not learn; regions: where to look, for models that can read parts; none: everywhere.")
       .def(
           "finish",
           [](PyDetector& self) {
@@ -133,8 +139,14 @@ void bind_tracker(py::module_& module) {
             return result;
           },
           py::arg("boxes"), py::arg("time_s"), "The same with an Nx4 array: left, top, width, height in px.")
-      .def("predict", [](PyTracker& self, double time_s) { return self.run([&](Tracker& t) { return t.predict(time_s); }); },
-           py::arg("time_s"), "Moves all tracks on to the coming frame's time and says what is expected there.")
+      .def(
+          "predict",
+          [](PyTracker& self, double time_s, std::pair<int, int> frame_size) {
+            return self.run([&](Tracker& t) { return t.predict(time_s, frame_size.first, frame_size.second); });
+          },
+          py::arg("time_s"), py::kw_only(), py::arg("frame_size") = std::pair<int, int>{0, 0},
+          "Moves all tracks on to the coming frame's time and says what is expected there. frame_size: (width, height) in\n"
+          "px, needed for regions only; (0, 0): that of the frames before.")
       .def(
           "update",
           [](PyTracker& self, const PyDetections& detections) {
@@ -145,6 +157,12 @@ void bind_tracker(py::module_& module) {
           py::arg("detections"), "The second step of process, after predict for the same time.")
       .def("reset", [](PyTracker& self) { self.run([](Tracker& t) { t.reset(); }); self.next_index = 0; },
            "Forgets all tracks and all that was learned; ids start at 1 again.")
+      .def(
+          "load_zones",
+          [](PyTracker& self, const std::vector<Box>& zones) { self.run([&](Tracker& s) { s.load_zones(zones); }); },
+          py::arg("zones"),
+          "Where newcomers are looked for, boxes in px, with regions.acquisition zones; before the first frame. Kept by\n"
+          "reset(). Raises InputError for none, for zones without size, and when the config has no use for them.")
       .def("learned_scene", [](PyTracker& self) { return self.run([](Tracker& s) { return s.learned_scene(); }); },
            "What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.")
       .def(

@@ -3,6 +3,7 @@
 
 #include "results.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "survtrack/core/errors.hpp"
@@ -113,6 +114,32 @@ Detections detections_of_boxes(const py::object& boxes, double time_s, std::int6
 
 namespace {
 
+/// N x 8 x 8 x 8, blue, green, red.
+py::array_t<float> histogram_array(const std::vector<ColorHistogram>& histograms) {
+  constexpr py::ssize_t bins = ColorHistogram::bins;
+  py::array_t<float> array({static_cast<py::ssize_t>(histograms.size()), bins, bins, bins});
+  float* out = array.mutable_data();
+  for (const ColorHistogram& histogram : histograms) out = std::copy(histogram.parts.begin(), histogram.parts.end(), out);
+  return array;
+}
+
+std::vector<ColorHistogram> histograms_of(const py::object& given, std::size_t count) {
+  if (given.is_none()) return {};
+  using Parts = py::array_t<float, py::array::c_style | py::array::forcecast>;
+  const Parts array = Parts::ensure(given);
+  if (!array) PyErr_Clear();
+  if (!array || static_cast<std::size_t>(array.size()) != count * ColorHistogram::size || array.shape(0) != static_cast<py::ssize_t>(count)) {
+    throw InputError("histograms: is " + (array ? std::string(py::str(array.attr("shape"))) : std::string("no array")) +
+                     "; expected " + std::to_string(count) + "x8x8x8, one a box");
+  }
+  std::vector<ColorHistogram> histograms(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::copy_n(array.data() + i * ColorHistogram::size, ColorHistogram::size, histograms[i].parts.begin());
+    check_histogram(histograms[i], "histograms[" + std::to_string(i) + "]");
+  }
+  return histograms;
+}
+
 /// None for an empty one.
 py::typing::Optional<py::array_t<float>> optional_field(const cv::Mat& field) {
   if (field.empty()) return py::none();
@@ -125,14 +152,17 @@ constexpr const char* flow_doc =
 void bind_detections(py::module_& module) {
   py::class_<PyDetections>(module, "Detections", "All detections of one frame: a sequence of Detection.")
       .def(py::init([](const py::object& boxes, double time_s, std::int64_t index, const py::object& confidences,
-                       const py::object& class_ids, std::pair<int, int> frame_size) {
-             return PyDetections{detections_of_boxes(boxes, time_s, index, confidences, class_ids, frame_size)};
+                       const py::object& class_ids, std::pair<int, int> frame_size, const py::object& histograms) {
+             Detections detections = detections_of_boxes(boxes, time_s, index, confidences, class_ids, frame_size);
+             detections.histograms = histograms_of(histograms, detections.items.size());
+             return PyDetections{std::move(detections)};
            }),
            py::arg("boxes"), py::arg("time_s"), py::kw_only(), py::arg("index") = 0,
            py::arg("confidences") = py::none(), py::arg("class_ids") = py::none(),
-           py::arg("frame_size") = std::pair<int, int>{0, 0},
+           py::arg("frame_size") = std::pair<int, int>{0, 0}, py::arg("histograms") = py::none(),
            "From your own detector: boxes is Nx4 (left, top, width, height in px); confidences and class_ids have N\n"
-           "numbers; frame_size is (width, height) in px, (0, 0) when unknown.")
+           "numbers; frame_size is (width, height) in px, (0, 0) when unknown; histograms is Nx8x8x8, a color_histogram()\n"
+           "a box, for appearance.model color_histogram.")
       .def("__len__", [](const PyDetections& d) { return d.value.items.size(); })
       .def(
           "__getitem__",
@@ -170,7 +200,12 @@ void bind_detections(py::module_& module) {
         }
         return contours;
       }, "An Nx2 int32 array (x, y) a detection, with config.outputs.contours; else empty.")
-      .def_property_readonly("regions", [](const PyDetections& d) { return d.value.regions; }, "The parts of the frame read.")
+      .def_property_readonly("histograms", [](const PyDetections& d) { return histogram_array(d.value.histograms); },
+                             "Nx8x8x8 float32, the color_histogram() of each, with appearance.model color_histogram; else 0x8x8x8.")
+      .def_property_readonly("regions", [](const PyDetections& d) { return d.value.regions; },
+                             "The parts of the frame that were read; they may overlap.")
+      .def_property_readonly("pixels_read", [](const PyDetections& d) { return d.value.pixels_read; },
+                             "Number of pixels in them, each counted once.")
       .def_property_readonly("events", [](const PyDetections& d) { return d.value.events; }, "Raised by the detector.")
       .def_property_readonly("array", [](const PyDetections& d) { return detection_array(d.value.items); },
                              "All detections as one structured array.");
@@ -234,6 +269,10 @@ void bind_results(py::module_& module) {
         return picture.empty() ? py::object(py::none()) : array_of_image(picture);
       }, "The background picture, with config.outputs.background; else None.")
       .def_property_readonly("flow", [](const PyFrameResult& r) { return optional_field(r.value.detections.flow); }, flow_doc)
+      .def_property_readonly("regions", [](const PyFrameResult& r) { return r.value.detections.regions; },
+                             "The parts of the frame that were read; they may overlap.")
+      .def_property_readonly("pixels_read", [](const PyFrameResult& r) { return r.value.detections.pixels_read; },
+                             "Number of pixels in them, each counted once.")
       .def_property_readonly("detections", [](const PyFrameResult& r) { return PyDetections{r.value.detections}; },
                              "The frame's detections, a sequence.")
       .def_property_readonly("detection_array",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "masks.hpp"
@@ -25,10 +26,12 @@ EdgeArray edges_from(const py::object& given, int rows, int columns, const char*
                    std::to_string(rows) + "x" + std::to_string(columns) + " integers");
 }
 
-/// Narrowed to what an int holds; the grid's check refuses both ends.
-int edge_of_tile(const EdgeArray& edges, py::ssize_t tile) {
-  constexpr std::int64_t low = -1, high = 1000000;
-  return static_cast<int>(std::clamp(edges.data()[edges.ndim() == 0 ? 0 : tile], low, high));
+/// What an int does not hold the grid's check cannot name.
+int edge_of_tile(const EdgeArray& edges, py::ssize_t tile, const char* name) {
+  const std::int64_t edge = edges.data()[edges.ndim() == 0 ? 0 : tile];
+  constexpr std::int64_t low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
+  if (edge >= low && edge <= high) return static_cast<int>(edge);
+  throw ConfigError(std::string(name) + ": " + std::to_string(edge) + " is not allowed; expected between 0 and 255");
 }
 
 MorphologyShape shape_from(const std::string& name) {
@@ -47,7 +50,7 @@ py::array tile_mask(const py::object& mask, int rows, int columns, int overlap_p
   TileGrid grid{rows, columns, overlap_px, shape_from(shape), {}};
   // More tiles than a grid may have are refused before their edges are looked at.
   const py::ssize_t tiles = std::min(py::ssize_t{rows} * columns, py::ssize_t{1000} * 1000);
-  for (py::ssize_t i = 0; i < tiles; ++i) grid.edges.push_back({edge_of_tile(erode, i), edge_of_tile(dilate, i)});
+  for (py::ssize_t i = 0; i < tiles; ++i) grid.edges.push_back({edge_of_tile(erode, i, "erode_px"), edge_of_tile(dilate, i, "dilate_px")});
   return changed_mask(mask, [&](cv::Mat& changed) { tiled_morphology(changed, grid); });
 }
 

@@ -204,6 +204,7 @@ void bind_expectation(py::module_& module) {
 
 void bind_values(py::module_& module) {
   bind_box(module);
+  bind_region_values(module);
   bind_detection(module);
   bind_track(module);
   bind_event(module);

@@ -30,7 +30,9 @@ class RunSummary:
         pipeline_seconds: of these, inside the pipeline: without decoding, drawing and writing.
         track_ids: ids of all tracks that were reported.
         events: number of events.
+        pixels_read: of all results; fewer than frames times size with regions.
         begun: there was a first result, and a place for it.
+        held: results that were not written because there were too few.
         error: what ended the run early; None when it is complete.
     """
 
@@ -42,7 +44,9 @@ class RunSummary:
     pipeline_seconds: float = 0.0
     track_ids: set[int] = field(default_factory=set)
     events: int = 0
+    pixels_read: int = 0
     begun: bool = False
+    held: int = 0
     error: BaseException | None = None
 
     @property
@@ -63,6 +67,7 @@ class RunSummary:
         self.size = (result.frame.shape[1], result.frame.shape[0])
         self.track_ids.update(track.id for track in result.tracks if track.reported)
         self.events += len(result.events)
+        self.pixels_read += result.pixels_read
 
 
 def run(
@@ -71,6 +76,7 @@ def run(
     sinks: "Sequence[Sink]",
     progress: Callable[[int], None] | None = None,
     begin: Callable[[], None] | None = None,
+    least: int = 1,
 ) -> RunSummary:
     """Process every frame of the source and write every result to every sink.
 
@@ -85,6 +91,7 @@ def run(
         sinks: see Sink; entered and left here.
         progress: called after each result with the number of results.
         begin: called once, before the sinks are entered; makes the place of the outputs.
+        least: of fewer results none is written, unless the run is interrupted.
 
     Raises:
         UsageError: an endless source with a pipeline that answers late.
@@ -102,7 +109,7 @@ def run(
                 for sink in sinks:
                     stack.enter_context(sink)
 
-            _loop(source, pipeline, enter_sinks, sinks, progress, summary)
+            _loop(source, pipeline, enter_sinks, sinks, progress, summary, least)
     except (Exception, KeyboardInterrupt) as error:
         # A full disk also keeps other sinks from finishing: what came first is the cause.
         summary.error = summary.error or error
@@ -117,19 +124,36 @@ def _loop(
     sinks: "Sequence[Sink]",
     progress: Callable[[int], None] | None,
     summary: RunSummary,
+    least: int,
 ) -> None:
     """Write results until there are no more; an error on the way is put into the summary."""
-    try:
-        for result in results(source, pipeline, summary):
-            if not summary.begun:
-                enter_sinks()
+    held: list[FrameResult] = []
+
+    def write_held() -> None:
+        if not summary.begun:
+            enter_sinks()
+        while held:
+            result = held.pop(0)
             for sink in sinks:
                 sink.write(result.frame, result)
             summary.add(result)
             if progress is not None:
                 progress(summary.frames)
+
+    try:
+        try:
+            for result in results(source, pipeline, summary):
+                held.append(result)
+                if summary.begun or len(held) >= least:
+                    write_held()
+        except (Exception, KeyboardInterrupt):
+            # What kept a sink from writing would do so again.
+            if len(held) < least and not summary.begun:
+                write_held()
+            raise
     except (Exception, KeyboardInterrupt) as error:
         summary.error = error
+    summary.held = len(held)
 
 
 def results(
@@ -172,15 +196,21 @@ def refuse_endless_delay(source: "Source", pipeline: "Pipeline") -> None:
         )
 
 
-def too_short(config: "Config", name: str, count: int) -> InputError | None:
-    """What is wrong when `count` frames are too few for the flow to an earlier one, if it is."""
+def least_frames(config: "Config") -> int:
+    """How many frames a source must have: more than the flow looks back."""
     from survtrack import HornSchunckOptions
 
     segmenter = config.segmenter
-    if not isinstance(segmenter, HornSchunckOptions) or count > segmenter.frames_back:
+    return segmenter.frames_back + 1 if isinstance(segmenter, HornSchunckOptions) else 1
+
+
+def too_short(config: "Config", name: str, count: int) -> InputError | None:
+    """What is wrong when `count` frames are too few for the flow to an earlier one, if it is."""
+    least = least_frames(config)
+    if count == 0 or count >= least:
         return None
     return InputError(
-        f"segmenter.frames_back: {segmenter.frames_back} is not allowed with the {count} "
+        f"segmenter.frames_back: {least - 1} is not allowed with the {count} "
         f"frame(s) of {name}; expected fewer than there are"
     )
 

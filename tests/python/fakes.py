@@ -106,6 +106,8 @@ class Result:
     matrix_track_ids: list[int] = field(default_factory=list)
     vicinity: dict[int, Grid] = field(default_factory=dict)
     flow: np.ndarray | None = None
+    regions: list[Any] = field(default_factory=list)
+    pixels_read: int = 0
 
 
 def result_of(frame: Image, index: int = 0, *tracks: Track, **more: Any) -> Result:

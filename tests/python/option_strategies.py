@@ -19,6 +19,7 @@ ROW = re.compile(r"^\| `([\w.]+)` \| `([^`]*)` \| [^|]* \| ([^|]*) \|")
 RANGE = re.compile(
     r"^(?:(above|at least|between) (\S+?))(?: and (?:at most )?(\S+?))?(, 0 or odd)?$"
 )
+READ_REGIONS = ("selective",)
 LARGEST = 1e300  # of options without an upper bound
 
 Strategy = st.SearchStrategy[Any]
@@ -93,6 +94,19 @@ def sections_agree(config: survtrack.Config) -> bool:
         return False
     if config.outputs.background and config.segmenter.model == "horn_schunck":
         return False
+    lifecycle = config.lifecycle
+    if isinstance(lifecycle, survtrack.CountMedianOptions):
+        if lifecycle.restart_after_s > 0 and not lifecycle.keep_contacts:
+            return False
+        if lifecycle.keep_contacts and config.reentry.model == "remember":
+            return False
+    regions = config.regions
+    if isinstance(regions, survtrack.PredictedRegionsOptions):
+        if config.segmenter.model not in READ_REGIONS:
+            return False
+        # A config alone says nothing of zones.
+        if regions.acquisition == "zones":
+            return False
     return config.cost.model != "gaussian" or config.filter.model != "mean_velocity"
 
 

@@ -31,6 +31,7 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.BeliefOptions,
         survtrack.DistanceOptions,
     ),
+    "appearance": (survtrack.NoAppearanceOptions, survtrack.ColorHistogramOptions),
     "assignment": (
         survtrack.HungarianOptions,
         survtrack.OldestFirstOptions,
@@ -40,10 +41,12 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.ConfirmAndLoseOptions,
         survtrack.LostCountOptions,
         survtrack.CountMedianOptions,
+        survtrack.RegionGrowthOptions,
     ),
     "groups": (survtrack.NoGroupsOptions, survtrack.SharedBlobOptions),
     "reentry": (survtrack.NoReentryOptions, survtrack.RememberOptions),
     "vicinity": (survtrack.NoVicinityOptions, survtrack.GridVicinityOptions),
+    "regions": (survtrack.NoRegionsOptions, survtrack.PredictedRegionsOptions),
 }
 MERGES: tuple[type[Any], ...] = (
     survtrack.FragmentMergeOptions,

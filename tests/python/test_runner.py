@@ -152,6 +152,30 @@ def test_ctrl_c_keeps_what_was_before() -> None:
     assert isinstance(summary.error, KeyboardInterrupt)
 
 
+@pytest.mark.parametrize("delay", [0, 3])
+def test_of_too_few_results_none_is_written(delay: int) -> None:
+    for least, written in ((10, 10), (11, 0)):
+        sink = Recorder()
+        summary = run(  # type: ignore[call-overload,arg-type]
+            ArraySource(FRAMES),
+            Pipeline(delay),  # type: ignore[arg-type]
+            [sink],  # type: ignore[list-item]
+            least=least,
+        )
+        assert (len(sink.indices), summary.frames, summary.held) == (written, written, 10 - written)
+        assert summary.begun == sink.entered == (written > 0)
+
+
+def test_of_too_few_results_those_before_an_interruption_are_written() -> None:
+    def frames() -> Any:
+        yield from FRAMES[:4]
+        raise KeyboardInterrupt
+
+    sink = Recorder()
+    summary = run(ArraySource(frames()), Pipeline(), [sink], least=9)  # type: ignore[arg-type,list-item]
+    assert sink.indices == [0, 1, 2, 3] and summary.held == 0 and sink.finished
+
+
 def test_a_sink_that_fails_ends_the_run_and_all_others_are_finished() -> None:
     before, failing, after = Recorder(), Recorder(fails_at=4), Recorder()
     summary = run_fake(ArraySource(FRAMES), Pipeline(), before, failing, after)

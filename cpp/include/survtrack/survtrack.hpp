@@ -10,6 +10,7 @@
 #include "survtrack/association/density.hpp"
 #include "survtrack/association/velocity_factor.hpp"
 #include "survtrack/blobs/blob_extractor.hpp"
+#include "survtrack/core/color_histogram.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/core/version.hpp"
 #include "survtrack/filtering/chi_square.hpp"
@@ -35,3 +36,4 @@
 #include "survtrack/segmentation/segmenter.hpp"
 #include "survtrack/segmentation/tiled_morphology.hpp"
 #include "survtrack/tracking/paths.hpp"
+#include "survtrack/tracking/predicted_region.hpp"

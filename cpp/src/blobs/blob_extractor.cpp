@@ -151,6 +151,21 @@ void BlobExtractor::add_colors(const std::vector<Run>& runs, const cv::Mat& fram
   }
 }
 
+void BlobExtractor::histograms(const cv::Mat& frame, std::vector<ColorHistogram>& histograms) {
+  int count = 0;
+  for (const Sums& sums : sums_) count = std::max(count, sums.detection + 1);
+  counters_.assign(static_cast<std::size_t>(count), ColorCounter{});
+  const int channels = frame.channels();
+  for (const Run& run : runs_) {
+    const int detection = sums_[static_cast<std::size_t>(run.label)].detection;
+    if (detection < 0) continue;
+    counters_[static_cast<std::size_t>(detection)].add(frame.ptr<std::uint8_t>(run.y) + std::ptrdiff_t{run.x_begin} * channels,
+                                                       run.x_end - run.x_begin, channels);
+  }
+  histograms.clear();
+  for (const ColorCounter& counter : counters_) histograms.push_back(counter.histogram());
+}
+
 Detection BlobExtractor::detection_of(const Sums& sums) {
   const auto area = static_cast<double>(sums.area);
   // Moments about whole pixels near the centroid are exact integers; only the rest is rounded.

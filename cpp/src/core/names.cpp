@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "survtrack/core/event.hpp"
+#include "survtrack/core/region.hpp"
 #include "survtrack/core/track.hpp"
 
 namespace survtrack {
@@ -28,6 +29,16 @@ const char* to_string(LostPlace place) {
     case LostPlace::border: return "border";
     case LostPlace::behind_object: return "behind_object";
     case LostPlace::open: return "open";
+  }
+  return "";
+}
+
+const char* to_string(RegionKind kind) {
+  switch (kind) {
+    case RegionKind::whole_frame: return "whole_frame";
+    case RegionKind::predicted: return "predicted";
+    case RegionKind::acquisition: return "acquisition";
+    case RegionKind::refresh: return "refresh";
   }
   return "";
 }

@@ -42,6 +42,49 @@ Json parse_json(const std::string& text, const std::string& source) {
   }
 }
 
+/// Options that would do nothing: contacts that are kept for ever do not end, and only those may start anew.
+void check_contacts(const CountMedianOptions& contacts, const ReentryOptions& reentry) {
+  if (contacts.restart_after_s > 0.0 && !contacts.keep_contacts) {
+    throw ConfigError("lifecycle.restart_after_s: " + options_json::Json(contacts.restart_after_s).dump() +
+                      " needs contacts that are kept, and lifecycle.keep_contacts is false; "
+                      "expected lifecycle.keep_contacts true, or 0");
+  }
+  if (contacts.keep_contacts && std::holds_alternative<RememberOptions>(reentry)) {
+    throw ConfigError("reentry.model: \"remember\" needs tracks that end, and lifecycle.keep_contacts is true; "
+                      "expected lifecycle.keep_contacts false, or reentry.model none");
+  }
+}
+
+template <class Options, class = void>
+struct reads_regions : std::false_type {};
+template <class Options>
+struct reads_regions<Options, std::void_t<decltype(Options::reads_regions)>> : std::bool_constant<Options::reads_regions> {};
+
+template <class Variant>
+struct ModelsThatRead;
+template <class... Options>
+struct ModelsThatRead<std::variant<Options...>> {
+  static std::string names() {
+    std::string names;
+    const auto add = [&](const char* name, bool reads) {
+      if (reads) names += (names.empty() ? "" : " or ") + std::string(name);
+    };
+    (add(Options::model, reads_regions<Options>::value), ...);
+    return names;
+  }
+};
+
+struct CheckReadsRegions {
+  template <class Options>
+  void operator()(const Options&) const {
+    if constexpr (!reads_regions<Options>::value) {
+      throw ConfigError("regions.model: \"predicted\" needs a background model that can read parts of a frame, and segmenter.model is \"" +
+                        std::string(Options::model) + "\"; expected segmenter.model " + ModelsThatRead<SegmenterOptions>::names() +
+                        ", or regions.model none");
+    }
+  }
+};
+
 constexpr const char* default_preset = "survtrack";
 
 }  // namespace
@@ -124,6 +167,8 @@ const Config& Config::check() const {
     throw ConfigError("outputs.flow: true needs a flow field, and segmenter.model is another; "
                       "expected segmenter.model horn_schunck, or false");
   }
+  if (std::holds_alternative<PredictedRegionsOptions>(regions)) std::visit(CheckReadsRegions{}, segmenter);
+  if (const auto* contacts = std::get_if<CountMedianOptions>(&lifecycle)) check_contacts(*contacts, reentry);
   return *this;
 }
 

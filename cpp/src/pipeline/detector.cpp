@@ -3,17 +3,41 @@
 
 #include "survtrack/pipeline/detector.hpp"
 
+#include <algorithm>
+#include <opencv2/core.hpp>
 #include <string>
 
+#include "segmentation/pixel_rect.hpp"
 #include "survtrack/core/checks.hpp"
 
 namespace survtrack {
+namespace {
+
+/// Of what is read of a frame, a larger part than this is foreground when the light or the camera changed.
+constexpr double flood = 0.6;
+
+void check_regions(const std::vector<Region>& regions, const cv::Size& size, bool readable) {
+  if (regions.empty()) return;
+  if (!readable) throw InputError("expectation.regions: this background model reads whole frames; expected none");
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const Box& box = regions[i].box;
+    if (!pixel_rect(box, size).empty()) continue;
+    throw InputError("expectation.regions[" + std::to_string(i) + "]: (" + std::to_string(box.x) + ", " + std::to_string(box.y) +
+                     ", " + std::to_string(box.width) + ", " + std::to_string(box.height) + ") lies outside of the frame of " +
+                     std::to_string(size.width) + "x" + std::to_string(size.height) + " px; expected one that meets it");
+  }
+}
+
+}  // namespace
 
 Detector::Detector(const Config& config)
     : outputs_(config.check().outputs),
       segmenter_(make_segmenter(config.segmenter)),
       cleanup_(config.cleanup),
-      blobs_(config.blobs) {}
+      blobs_(config.blobs),
+      histograms_(std::holds_alternative<ColorHistogramOptions>(config.appearance)) {
+  if (const auto* predicted = std::get_if<PredictedRegionsOptions>(&config.regions)) regions_ = *predicted;
+}
 
 bool Detector::push(const cv::Mat& image, double time_s, std::optional<std::int64_t> index) {
   if (ended_) throw InputError("frame: came after finish(); reset() starts another run");
@@ -50,9 +74,7 @@ const TimedFrame& Detector::next() const {
 }
 
 void Detector::detect(const Expectation& expectation, Detections& detections) {
-  if (!expectation.regions.empty()) {
-    throw InputError("expectation.regions: this background model reads whole frames; expected none");
-  }
+  check_regions(expectation.regions, next().image.size(), segmenter_->reads_regions());
   if (expectation.time_s != next().time_s) {
     throw InputError("expectation.time_s: " + std::to_string(expectation.time_s) + " is not the time of the frame that is due, " +
                      std::to_string(next().time_s));
@@ -64,10 +86,20 @@ void Detector::detect(const Expectation& expectation, Detections& detections) {
   detections.frame_width = frame.image.cols;
   detections.frame_height = frame.image.rows;
   detections.events.clear();
-  detections.regions.assign(1, Box{0.0, 0.0, static_cast<double>(frame.image.cols), static_cast<double>(frame.image.rows)});
-  segmenter_->segment(frame.image, expectation, detections.mask, detections.events);
+  plan(frame.image.size(), frame.time_s, expectation, detections.regions);
+  detections.pixels_read = plan_.pixels();
+  if (plan_.whole()) {
+    segmenter_->segment(frame.image, expectation, detections.mask, detections.events);
+  } else {
+    segmenter_->segment_regions(frame.image, expectation, plan_, detections.mask, detections.events);
+  }
+  const bool flooded = cv::countNonZero(detections.mask) > flood * static_cast<double>(plan_.pixels());
+  look_at_all_ = !plan_.whole() && flooded && !flooded_;
+  flooded_ = flooded;
   cleanup_.apply(detections.mask);
   blobs_.extract(detections.mask, frame.image, expectation, outputs_.contours, detections);
+  detections.histograms.clear();
+  if (histograms_) blobs_.histograms(frame.image, detections.histograms);
   if (outputs_.background) segmenter_->background(detections.background);
   if (outputs_.flow) segmenter_->flow(detections.flow);
   for (Event& event : detections.events) {
@@ -76,12 +108,45 @@ void Detector::detect(const Expectation& expectation, Detections& detections) {
   }
 }
 
+/// Turns what is expected, and the strip whose turn it is, into `plan_`, and into the list of regions read.
+void Detector::plan(const cv::Size& size, double time_s, const Expectation& expectation, std::vector<Region>& regions) {
+  regions.clear();
+  plan_.clear(size);
+  const bool whole = expectation.regions.empty() || segmenter_->needs_whole_frame() || look_at_all_;
+  if (!whole) {
+    regions = expectation.regions;
+    for (const Region& region : regions) plan_.add(pixel_rect(region.box, size));
+    if (regions_ && regions_->refresh_frames > 0) add_strip(size, time_s, regions);
+    plan_.finish();
+  }
+  const double most = (regions_ ? regions_->whole_above : 1.0) * size.area();
+  if (!whole && static_cast<double>(plan_.pixels()) <= most) return;
+  plan_.read_whole(size);
+  regions.push_back({{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)}, RegionKind::whole_frame, 0});
+  // The first frame is one of these.
+  if (regions_) strip_read_s_.assign(static_cast<std::size_t>(std::min(regions_->refresh_frames, size.height)), time_s);
+  strip_ = 0;
+}
+
+void Detector::add_strip(const cv::Size& size, double time_s, std::vector<Region>& regions) {
+  const auto count = static_cast<std::int64_t>(strip_read_s_.size());
+  const auto strip = static_cast<std::int64_t>(strip_);
+  const auto edge = [&](std::int64_t i) { return static_cast<int>(i * size.height / count); };
+  const int top = edge(strip), bottom = edge(strip + 1);
+  plan_.refresh(top, bottom, time_s - strip_read_s_[strip_]);
+  regions.push_back({{0.0, static_cast<double>(top), static_cast<double>(size.width), static_cast<double>(bottom - top)},
+                     RegionKind::refresh, 0});
+  strip_read_s_[strip_] = time_s;
+  strip_ = (strip_ + 1) % strip_read_s_.size();
+}
+
 std::optional<Detections> Detector::process(const cv::Mat& image, double time_s, std::optional<std::int64_t> index,
-                                            const std::vector<Box>& keep) {
+                                            const std::vector<Box>& keep, const std::vector<Box>& regions) {
   if (!push(image, time_s, index)) return std::nullopt;
   Expectation expectation;
   expectation.time_s = next().time_s;
   expectation.keep = keep;
+  for (const Box& box : regions) expectation.regions.push_back({box, RegionKind::predicted, 0});
   Detections detections;
   detect(expectation, detections);
   return detections;
@@ -106,6 +171,9 @@ void Detector::reset() {
   last_index_ = -1;
   last_time_s_.reset();
   ended_ = false;
+  strip_read_s_.clear();
+  strip_ = 0;
+  flooded_ = look_at_all_ = false;
 }
 
 }  // namespace survtrack

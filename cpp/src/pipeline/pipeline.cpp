@@ -20,7 +20,7 @@ bool Pipeline::process(const cv::Mat& image, double time_s, FrameResult& result,
 
 void Pipeline::step(FrameResult& result) {
   result.frame = detector_.next().image;
-  const Expectation& expectation = tracker_.predict(detector_.next().time_s);
+  const Expectation& expectation = tracker_.predict(detector_.next().time_s, result.frame.cols, result.frame.rows);
   detector_.detect(expectation, result.detections);
   tracker_.update(result.detections, result);
 }

@@ -26,13 +26,18 @@ bool contains(const std::vector<std::int64_t>& ids, std::int64_t id) {
 Tracker::Tracker(const Config& config)
     : outputs_(config.check().outputs),
       table_(config.filter, config.measurement, config.reentry, config.time_unit_s),
-      matcher_(config.cost, config.assignment),
+      matcher_(config.cost, config.assignment, config.appearance),
       lifecycle_(make_lifecycle(config.lifecycle)) {
   if (const auto* shared = std::get_if<SharedBlobOptions>(&config.groups)) groups_.emplace(*shared);
+  if (const auto* colors = std::get_if<ColorHistogramOptions>(&config.appearance)) {
+    histograms_ = true;
+    table_.keep_histograms(colors->refresh_rate);
+  }
   if (const auto* grid = std::get_if<GridVicinityOptions>(&config.vicinity)) vicinity_.emplace(*grid);
+  if (const auto* predicted = std::get_if<PredictedRegionsOptions>(&config.regions)) regions_.emplace(*predicted);
 }
 
-const Expectation& Tracker::predict(double time_s) {
+const Expectation& Tracker::predict(double time_s, int frame_width, int frame_height) {
   check_time(time_s, last_time_s_);
   last_time_s_ = time_s;
   predicted_ = true;
@@ -56,11 +61,18 @@ const Expectation& Tracker::predict(double time_s) {
     expected.innovation_covariance_px2 = table_.innovation_covariance_px2(i);
     expected.lost_s = time_s - row.track.end_time_s;
   }
+  if (regions_) {
+    const cv::Size size = frame_width > 0 && frame_height > 0 ? cv::Size(frame_width, frame_height) : frame_size_.value_or(cv::Size());
+    regions_->check(size.width, size.height);
+    expectation_.regions.clear();
+    if (size.area() > 0) regions_->plan(table_, size.width, size.height, expectation_.regions);
+  }
   return expectation_;
 }
 
 void Tracker::check_frame_size(int width, int height) const {
   if (vicinity_) vicinity_->check(width, height);
+  if (regions_) regions_->check(width, height);
   if (matcher_.belief()) matcher_.belief()->check(width, height);
   const cv::Size size(width, height);
   if (frame_size_ && size != *frame_size_ && size.area() > 0 && (vicinity_ || scene_loaded_)) {
@@ -75,6 +87,11 @@ void Tracker::check(const Detections& detections) const {
   if (outputs_.cost_matrix && static_cast<std::size_t>(table_.size()) * detections.items.size() > most_costs) {
     throw InputError("outputs.cost_matrix: " + std::to_string(table_.size()) + " tracks by " +
                      std::to_string(detections.items.size()) + " detections are too many; expected at most a million entries");
+  }
+  if (histograms_ && detections.histograms.size() != detections.items.size()) {
+    throw InputError("detections.histograms: are " + std::to_string(detections.histograms.size()) + " of " +
+                     std::to_string(detections.items.size()) +
+                     " detections; expected one each, with appearance.model color_histogram");
   }
   for (std::size_t i = 0; i < detections.items.size(); ++i) {
     const Detection& d = detections.items[i];
@@ -179,6 +196,14 @@ TrackingResult Tracker::process(const Detections& detections) {
   TrackingResult result;
   update(detections, result);
   return result;
+}
+
+void Tracker::load_zones(const std::vector<Box>& zones) {
+  if (!regions_ || !regions_->wants_zones()) {
+    throw InputError("zones: this config has no use for them; expected regions.model predicted with regions.acquisition zones");
+  }
+  if (last_time_s_) throw InputError("zones: came after the first frame; expected before it, or after reset()");
+  regions_->load_zones(zones);
 }
 
 void Tracker::reset() {

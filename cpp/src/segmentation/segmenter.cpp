@@ -7,8 +7,13 @@
 #include "segmentation/moving_average.hpp"
 #include "segmentation/opencv_segmenters.hpp"
 #include "segmentation/selective.hpp"
+#include "survtrack/core/errors.hpp"
 
 namespace survtrack {
+
+void Segmenter::segment_regions(const cv::Mat&, const Expectation&, const ReadPlan&, cv::Mat&, std::vector<Event>&) {
+  throw InputError("expectation.regions: this background model reads whole frames; expected none");
+}
 
 // Each model's own header declares a make_model for its options.
 std::unique_ptr<Segmenter> make_segmenter(const SegmenterOptions& options) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,15 +34,24 @@ class SelectiveSegmenter final : public Segmenter {
  public:
   explicit SelectiveSegmenter(const SelectiveOptions& options) : options_(options) {}
 
+  bool reads_regions() const override { return true; }
+  bool needs_whole_frame() const override { return channels_ == 0; }
+
   void segment(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
                std::vector<Event>& events) override {
+    if (!whole_.whole() || whole_.size() != frame.size()) whole_.read_whole(frame.size());
+    segment_regions(frame, expectation, whole_, mask, events);
+  }
+
+  void segment_regions(const cv::Mat& frame, const Expectation& expectation, const ReadPlan& plan, cv::Mat& mask,
+                       std::vector<Event>& events) override {
     check_image(frame);
     if (channels_ != 0) check_same_format(frame, size_, channels_);
     check_time(expectation.time_s, channels_ != 0 ? std::optional(previous_s_) : std::nullopt);
     if (frame.channels() == 3) {
-      segment_channels<3>(frame, expectation, mask, events);
+      segment_channels<3>(frame, expectation, plan, mask, events);
     } else {
-      segment_channels<1>(frame, expectation, mask, events);
+      segment_channels<1>(frame, expectation, plan, mask, events);
     }
     previous_s_ = expectation.time_s;
   }
@@ -67,7 +77,7 @@ class SelectiveSegmenter final : public Segmenter {
 
  private:
   template <int channels>
-  void segment_channels(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
+  void segment_channels(const cv::Mat& frame, const Expectation& expectation, const ReadPlan& plan, cv::Mat& mask,
                         std::vector<Event>& events) {
     mask.create(frame.size(), CV_8UC1);
     if (channels_ == 0) {
@@ -76,9 +86,10 @@ class SelectiveSegmenter final : public Segmenter {
       return;
     }
     find_kept(expectation.keep);
-    const double differing = step<channels>(frame, step_to(expectation.time_s), mask);
+    const double differing = step<channels>(frame, plan, expectation.time_s, mask);
     const double part = differing / (static_cast<double>(size_.width) * size_.height);
-    if (part <= options_.scene_change_fraction) return;
+    // Of a frame read in parts nobody knows the rest: the detector looks at the next one whole.
+    if (!plan.whole() || part <= options_.scene_change_fraction) return;
     start<channels>(frame, expectation.time_s, mask);
     Event& event = events.emplace_back();
     event.kind = EventKind::scene_changed;
@@ -101,24 +112,39 @@ class SelectiveSegmenter final : public Segmenter {
   void start(const cv::Mat& frame, double time_s, cv::Mat& mask) {
     start_s_ = time_s;
     unlearned_s_ = 0.0;
-    for (int y = 0; y < size_.height; ++y) kernels::selective_start(row<channels>(frame, mask, y));
+    for (int y = 0; y < size_.height; ++y) kernels::selective_start(row<channels>(frame, mask, y, 0, size_.width));
   }
 
   /// Returns how many pixels differ from the background.
   template <int channels>
-  double step(const cv::Mat& frame, SelectiveStep step, cv::Mat& mask) {
+  double step(const cv::Mat& frame, const ReadPlan& plan, double time_s, cv::Mat& mask) {
+    const SelectiveStep now = step_to(time_s);
+    const SelectiveStep refresh = refreshing(now, plan.refresh_elapsed_s(), time_s);
+    if (!plan.whole()) mask.setTo(0);
     std::size_t differing = 0;
-    for (int y = 0; y < size_.height; ++y) {
-      const SelectiveRow<channels> whole = row<channels>(frame, mask, y);
-      for (int x = 0; x < size_.width;) {
-        const Stretch stretch = stretch_at(x, y);
-        step.learn = !stretch.kept;
-        const auto count = static_cast<std::size_t>(stretch.end - x);
-        differing += kernels::selective_step(whole.part(static_cast<std::size_t>(x), count), step);
-        x = stretch.end;
+    for (const ReadPlan::Band& band : plan.bands()) {
+      for (int y = band.top; y < band.bottom; ++y) {
+        for (std::size_t i = band.first_span; i < band.last_span; ++i) {
+          const ReadPlan::Span& span = plan.spans()[i];
+          differing += step_span(row<channels>(frame, mask, y, span.begin, span.end), span, y, span.refresh ? refresh : now);
+        }
       }
     }
     return static_cast<double>(differing);
+  }
+
+  /// One row's pixels of a span, which know whether they may be learned.
+  template <int channels>
+  std::size_t step_span(const SelectiveRow<channels>& whole, const ReadPlan::Span& span, int y, SelectiveStep step) const {
+    std::size_t differing = 0;
+    for (int x = span.begin; x < span.end;) {
+      const Stretch stretch = stretch_at(x, y);
+      const int end = std::min(stretch.end, span.end);
+      step.learn = !stretch.kept;
+      differing += kernels::selective_step(whole.part(static_cast<std::size_t>(x), static_cast<std::size_t>(end - x)), step);
+      x = end;
+    }
+    return differing;
   }
 
   /// The constants of the frame at `time_s`, which is later than the one before.
@@ -149,20 +175,29 @@ class SelectiveSegmenter final : public Segmenter {
     };
   }
 
+  /// The constants of pixels that were last read so long ago: they move as far as in all the frames between.
+  SelectiveStep refreshing(SelectiveStep step, double elapsed_s, double time_s) const {
+    const double rate = elapsed_s / std::min(options_.update_time_s, std::max(time_s - start_s_, elapsed_s));
+    step.rate_q15 = std::max(in_q(15, std::min(rate, 32767.0 / 32768.0)), least_rate_q15);
+    step.elapsed_ms = static_cast<int>(std::min(std::round(1000.0 * elapsed_s), most_ms));
+    return step;
+  }
+
   /// Where row y begins in a vector that holds `arrays` numbers a pixel.
   std::size_t offset(int y, int arrays) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(arrays) * static_cast<std::size_t>(size_.width);
   }
 
-  /// Row y of the frame, its colours taken apart into `colors_`, and what is known of it.
+  /// Row y of the frame, the colours from `begin` up to `end` taken apart into `colors_`, and what is known of it.
   template <int channels>
-  SelectiveRow<channels> row(const cv::Mat& frame, cv::Mat& mask, int y) {
+  SelectiveRow<channels> row(const cv::Mat& frame, cv::Mat& mask, int y, int begin, int end) {
     const int width = size_.width;
     const auto* pixels = frame.ptr<std::uint8_t>(y);
     if constexpr (channels == 3) {
-      std::uint8_t* const colors = colors_.data();
-      kernels::split_colors(pixels, colors, colors + width, colors + 2 * width, static_cast<std::size_t>(width));
-      pixels = colors;
+      std::uint8_t* const colors = colors_.data() + begin;
+      kernels::split_colors(pixels + 3 * std::ptrdiff_t{begin}, colors, colors + width, colors + 2 * width,
+                            static_cast<std::size_t>(end - begin));
+      pixels = colors_.data();
     }
     std::int16_t* const levels = levels_.data() + offset(y, channels + 1);
     std::uint8_t* const candidate = candidates_.data() + offset(y, channels);
@@ -218,6 +253,7 @@ class SelectiveSegmenter final : public Segmenter {
   std::vector<std::uint16_t> ages_ms_;
   std::vector<std::uint8_t> colors_;      ///< one row of the frame: blue, green, red
   std::vector<cv::Rect> kept_;
+  ReadPlan whole_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "survtrack/tracking/lifecycle.hpp"
 
 #include "tracking/count_median.hpp"
+#include "tracking/region_growth.hpp"
 
 namespace survtrack {
 namespace {
@@ -106,6 +107,7 @@ struct MakeLifecycle {
   }
   std::unique_ptr<Lifecycle> operator()(const LostCountOptions& o) const { return std::make_unique<LostCount>(o); }
   std::unique_ptr<Lifecycle> operator()(const CountMedianOptions& o) const { return std::make_unique<CountMedian>(o); }
+  std::unique_ptr<Lifecycle> operator()(const RegionGrowthOptions& o) const { return std::make_unique<RegionGrowth>(o); }
 };
 
 }  // namespace

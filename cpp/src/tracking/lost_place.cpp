@@ -25,7 +25,9 @@ bool covered(const Box& box, const Box& by) { return intersection_px(box, by) > 
 
 LostPlace lost_place(const TrackTable& table, int i, const Detections& detections) {
   const OpenTrack& lost = table.row(i);
-  if (at_border(lost.seen, detections) || at_border(lost.track.box, detections)) return LostPlace::border;
+  // Another step like the last: the prediction for now, many frames later, may have run away.
+  const Box next{lost.seen.x + lost.step_px.x, lost.seen.y + lost.step_px.y, lost.seen.width, lost.seen.height};
+  if (at_border(lost.seen, detections) || at_border(next, detections)) return LostPlace::border;
   for (int other = 0; other < table.size(); ++other) {
     const Track& track = table.row(other).track;
     if (other == i || !table.row(other).believed() || track.lost_frames > 0) continue;

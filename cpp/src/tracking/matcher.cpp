@@ -71,7 +71,8 @@ struct FillCosts {
 
 }  // namespace
 
-Matcher::Matcher(const CostOptions& cost, const AssignmentOptions& assignment) : cost_(cost), assignment_(assignment) {
+Matcher::Matcher(const CostOptions& cost, const AssignmentOptions& assignment, const AppearanceOptions& appearance)
+    : cost_(cost), assignment_(assignment), appearance_(appearance) {
   if (const auto* belief = std::get_if<BeliefOptions>(&cost)) belief_.emplace(*belief);
 }
 
@@ -80,6 +81,7 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
   const auto columns = static_cast<int>(detections.items.size());
   costs_.resize(rows, columns);
   std::visit(FillCosts{table, detections, belief_, costs_}, cost_);
+  add_appearance(table, detections);
   assign_rows(table, detections, matches.detection_of_track);
   matches.track_of_detection.assign(static_cast<std::size_t>(columns), -1);
   matches.candidates.clear();
@@ -92,6 +94,18 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
     }
   }
   if (belief_) belief_->learn(table, detections);
+}
+
+void Matcher::add_appearance(const TrackTable& table, const Detections& detections) {
+  const auto* colors = std::get_if<ColorHistogramOptions>(&appearance_);
+  if (colors == nullptr) return;
+  for (int r = 0; r < costs_.rows(); ++r) {
+    for (int c = 0; c < costs_.columns(); ++c) {
+      if (std::isinf(costs_(r, c))) continue;
+      const double common = histogram_intersection(table.histogram(r), detections.histograms[static_cast<std::size_t>(c)]);
+      costs_(r, c) = common < colors->min_intersection ? CostMatrix::gated : costs_(r, c) + colors->weight * (1.0 - common);
+    }
+  }
 }
 
 /// Topmost detections first, of equally high ones the leftmost; pairs that the gate refuses stay apart.

@@ -80,6 +80,9 @@ void TrackTable::match(int i, int detection, const Detections& detections) {
   filters_->correct(i, observation.position, observation.extra_px2);
   learn_size(measurement_, row, seen, dt_s_);
   filters_->set_object_size(i, row.size_px());
+  if (histogram_rate_ && !seen.shared) {
+    survtrack::refresh(histograms_[static_cast<std::size_t>(i)], detections.histograms[static_cast<std::size_t>(detection)], *histogram_rate_);
+  }
   Track& track = row.track;
   track.detection = detection;
   track.mean_color = seen.mean_color;
@@ -154,6 +157,7 @@ int TrackTable::start(int detection, const Detections& detections) {
   row.track.start_time_s = row.track.end_time_s = row.seen_time_s = detections.time_s;
   filters_->add(row.start_position, row.size_px());
   rows_.push_back(row);
+  if (histogram_rate_) histograms_.push_back(detections.histograms[static_cast<std::size_t>(detection)]);
   refresh(size() - 1);
   return size() - 1;
 }
@@ -187,12 +191,14 @@ void TrackTable::remove_closed() {
     if (memory_ && row(i).believed()) memory_->remember(row(i));
     filters_->remove(i);
     rows_.erase(rows_.begin() + i);
+    if (histogram_rate_) histograms_.erase(histograms_.begin() + i);
   }
 }
 
 void TrackTable::clear() {
   filters_->clear();
   rows_.clear();
+  histograms_.clear();
   scale_.clear();
   if (memory_) memory_->clear();
   last_id_ = last_known_id_ = 0;

@@ -12,8 +12,8 @@ import survtrack
 from survtrack.cli.messages import one_line, print_error
 from survtrack.cli.progress import show_progress
 from survtrack.cli.signals import interrupted_by_signal
-from survtrack.errors import InputError
-from survtrack.runner import RunSummary, refuse_endless_delay, run, too_short
+from survtrack.errors import InputError, UsageError
+from survtrack.runner import RunSummary, least_frames, refuse_endless_delay, run, too_short
 from survtrack.sinks import RunFolder, Sink
 from survtrack.sinks.folder import CONFIG, MANIFEST
 from survtrack.sources import Prefetch, Source, open_source
@@ -44,6 +44,7 @@ class Request:
     quiet: bool
     scene: Path | None = None
     path_file: Path | None = None
+    zones: Sequence[str] = ()
 
 
 def resolve_config(request: Request) -> "Config":
@@ -89,6 +90,8 @@ def execute(
     pipeline = survtrack.Pipeline(config)
     if request.scene is not None:
         pipeline.load_learned_scene(read_text(request.scene), str(request.scene))
+    if request.zones:
+        pipeline.load_zones([zone_box(zone) for zone in request.zones])
     source = open_source(
         request.source,
         fps=request.fps,
@@ -114,10 +117,10 @@ def execute(
         interrupted_by_signal(frames.interrupt) as signals,
         show_progress(total, quiet=request.quiet) as progress,
     ):
-        summary = run(frames, pipeline, sinks, progress, begin)
+        summary = run(frames, pipeline, sinks, progress, begin, least_frames(config))
     if not summary.begun:
+        summary.error = summary.error or too_short(config, source.name, summary.held)
         return _nothing_begun(summary, signals)
-    summary.error = summary.error or too_short(config, source.name, summary.frames)
     facts = run_facts(request, source, summary)
     facts["outputs"] = [name for sink in sinks for name in sink.outputs]
     _finish(folder, facts, config, summary)
@@ -155,6 +158,7 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "set": list(request.assignments),
         "scene": None if request.scene is None else str(request.scene),
         "path": None if request.path_file is None else str(request.path_file),
+        "zones": list(request.zones),
         "complete": summary.complete,
         "error": None if summary.error is None else one_line(summary.error),
         "frames": {
@@ -170,11 +174,30 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "source_bytes": bytes_of_files(source),
         "tracks": len(summary.track_ids),
         "events": summary.events,
+        "pixels_read_fraction": _part_read(summary),
         "seconds": round(summary.seconds, 6),
         "frames_per_s": _rate(summary.frames, summary.seconds),
         "pipeline_seconds": round(summary.pipeline_seconds, 6),
         "frames_per_s_without_decoding": _rate(summary.frames, summary.pipeline_seconds),
     }
+
+
+def zone_box(text: str) -> "survtrack.Box":
+    """The box of LEFT,TOP,WIDTH,HEIGHT; raises UsageError."""
+    try:
+        left, top, width, height = (float(number) for number in text.split(","))
+    except ValueError as error:
+        raise UsageError(
+            f"--zone {text}: expected four numbers in px, LEFT,TOP,WIDTH,HEIGHT"
+        ) from error
+    return survtrack.Box(left, top, width, height)
+
+
+def _part_read(summary: RunSummary) -> float | None:
+    """What part of all pixels was looked at."""
+    if summary.size is None:
+        return None
+    return round(summary.pixels_read / (summary.frames * summary.size[0] * summary.size[1]), 6)
 
 
 def _rate(frames: int, seconds: float) -> float | None:
@@ -201,5 +224,7 @@ def _print_summary(request: Request, facts: dict[str, Any], summary: RunSummary)
             f"{summary.frames} frames in {summary.seconds:.2f} s: {facts['frames_per_s']:.1f} "
             f"frames/s, pipeline alone {facts['frames_per_s_without_decoding']:.1f} frames/s"
         )
-        print(f"tracks: {facts['tracks']}, events: {facts['events']}")
+        read = facts["pixels_read_fraction"]
+        looked = "" if read == 1 else f"; {100 * read:.1f} % of the pixels read"
+        print(f"tracks: {facts['tracks']}, events: {facts['events']}{looked}")
         print(f"{request.out}: {', '.join([*facts['outputs'], CONFIG, MANIFEST])}")

@@ -38,6 +38,15 @@ SetOption = Annotated[
         "--set", metavar="A.B=C", help="One option, on top of FILE; repeat it, left to right."
     ),
 ]
+ZoneOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--zone",
+        metavar="L,T,W,H",
+        help="Where newcomers are looked for (left, top, width, height in px), with "
+        "--set regions.model=predicted --set regions.acquisition=zones; repeat it.",
+    ),
+]
 FpsOption = Annotated[
     float | None,
     typer.Option(

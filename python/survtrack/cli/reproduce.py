@@ -95,7 +95,8 @@ def reproduce(
     folder.finish({"experiment": name, "versions": _versions(), **facts})
     if not quiet:
         if datasets:
-            print(f"{experiment.runs} runs on each of {', '.join(each.name for each in datasets)}")
+            runs = "1 run" if experiment.runs == 1 else f"{experiment.runs} runs"
+            print(f"{runs} on each of {', '.join(each.name for each in datasets)}")
         print(f"{out}: {REPORT}, {RESULTS}, {len(folder.plots)} plots")
 
 

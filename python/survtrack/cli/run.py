@@ -88,6 +88,7 @@ def run(
     stream: StreamOption = False,
     scene: SceneOption = None,
     path_file: PathOption = None,
+    zones: options.ZoneOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> int:
@@ -98,7 +99,7 @@ def run(
     """
     request = Request(
         "run", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet, scene, path_file,
+        options.parse_size(resize), out, as_json, quiet, scene, path_file, zones or [],
     )  # fmt: skip
     names = _view_names(video, views)
     if "path" in names and path_file is None:

@@ -24,6 +24,7 @@ def segment(
     step: options.StepOption = 1,
     limit: options.LimitOption = None,
     resize: options.ResizeOption = None,
+    zones: options.ZoneOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> int:
@@ -35,7 +36,7 @@ def segment(
     """
     request = Request(
         "segment", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet,
+        options.parse_size(resize), out, as_json, quiet, zones=zones or [],
     )  # fmt: skip
 
     def make_sinks(folder: RunFolder, source: Source, pipeline: "Pipeline") -> list[Sink]:

@@ -12,6 +12,7 @@ from survtrack.drawing.intensity import IntensityRenderer
 from survtrack.drawing.markers import MarkerRenderer
 from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.paths import PathRenderer, draw_paths
+from survtrack.drawing.regions import RegionRenderer
 from survtrack.drawing.scene import Renderer, as_scene
 from survtrack.drawing.sheet import contact_sheet
 from survtrack.drawing.trails import TrailRenderer
@@ -31,6 +32,7 @@ __all__ = [
     "MarkerRenderer",
     "MatrixRenderer",
     "PathRenderer",
+    "RegionRenderer",
     "Renderer",
     "TrailRenderer",
     "VicinityRenderer",

@@ -16,6 +16,7 @@ from survtrack.drawing.intensity import IntensityRenderer
 from survtrack.drawing.markers import MarkerRenderer
 from survtrack.drawing.matrix import MatrixRenderer
 from survtrack.drawing.paths import PathRenderer
+from survtrack.drawing.regions import RegionRenderer
 from survtrack.drawing.scene import Renderer, Scene, as_scene, draw_label
 from survtrack.drawing.sheet import grid
 from survtrack.drawing.trails import TrailRenderer
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 VIEW_NAMES = (
     *("frame", "mask", "background", "blobs", "tracks", "matrix", "vicinity"),
     *("intensity", "flow", "flow_color", "boxes", "markers", "covariance", "lost_contacts"),
-    "path",
+    *("path", "regions"),
 )
 # The extra outputs that some views show.
 VIEW_OUTPUTS = {
@@ -81,6 +82,7 @@ class Views:
             "covariance": (MarkerRenderer(COVERAGE),),
             "lost_contacts": (LostContactRenderer(),),
             "path": (PathRenderer(paths), BoxRenderer()),
+            "regions": (RegionRenderer(), BoxRenderer()),
         }
 
     def __call__(self, frame: Scene, result: "FrameResult") -> Scene:

@@ -18,7 +18,7 @@ class Dataset:
     Attributes:
         name: short, for tables and file names.
         source: a video file, a folder or a glob of images.
-        truth: MOT text or CVML.
+        truth: MOT text or CVML; None where there is none.
         fps: frames per second; None: what the source says.
         offset: frame f of the source, counted from 1, is frame f + offset of the truth.
         objects: what moves in it, in a word.
@@ -26,7 +26,7 @@ class Dataset:
 
     name: str
     source: str
-    truth: Path
+    truth: Path | None
     fps: float | None = None
     offset: int = 0
     objects: str = "objects"
@@ -55,6 +55,7 @@ PUBLIC = {
             25.0,
             objects="people",
         ),
+        Dataset("motorway", "video/bgslib_video02.avi", None, 25.0, objects="cars"),
     )
 }
 
@@ -70,16 +71,25 @@ def find_datasets(data: Path, names: Sequence[str]) -> list[Dataset]:
     named = [PUBLIC[name] for name in names]
     found = [
         Dataset(
-            entry.name, str(data / entry.source), data / entry.truth, entry.fps, entry.offset,
+            entry.name,
+            str(data / entry.source),
+            None if entry.truth is None else data / entry.truth,
+            entry.fps,
+            entry.offset,
             entry.objects,
         )
         for entry in named
-        if (data / entry.source).exists() and (data / entry.truth).exists()
-    ]  # fmt: skip
+        if all((data / part).exists() for part in _parts(entry))
+    ]
     if not found:
-        looked_for = "; ".join(f"{entry.source} with {entry.truth}" for entry in named)
+        looked_for = "; ".join(" with ".join(map(str, _parts(entry))) for entry in named)
         raise UsageError(f"{data}: holds none of these sets: {looked_for}")
     return found
+
+
+def _parts(entry: Dataset) -> list[str | Path]:
+    """Footage and, if it has one, truth."""
+    return [entry.source] if entry.truth is None else [entry.source, entry.truth]
 
 
 def own_dataset(source: str, truth: Path, fps: float | None, offset: int) -> Dataset:

@@ -106,9 +106,11 @@ def markers_over_time(
     return figure
 
 
-def legend_below(figure: "Figure", axes: "Axes") -> None:
-    """One legend for all panels, where it covers nothing."""
-    handles, labels = axes.get_legend_handles_labels()
+def legend_below(figure: "Figure", *panels: "Axes") -> None:
+    """One legend for all panels, of the lines of these, where it covers nothing."""
+    told = [axes.get_legend_handles_labels() for axes in panels]
+    handles = [handle for one, _ in told for handle in one]
+    labels = [label for _, one in told for label in one]
     figure.legend(handles, labels, loc="outside lower center", ncols=4, frameon=False)
 
 

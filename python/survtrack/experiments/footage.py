@@ -24,7 +24,7 @@ class Footage:
         size: (width, height) of the frames in pixels.
         source_size: the same before scaling.
         truth: the true boxes that have a frame in the footage, scaled alike; frames counted as in
-            the footage, from 1.
+            the footage, from 1; none for a set without truth.
     """
 
     dataset: Dataset
@@ -47,13 +47,15 @@ def load(dataset: Dataset, size: Size) -> Footage:
         InputError: footage or truth that cannot be read.
         UsageError: a truth without any box to score in these frames, or a bad frame rate.
     """
-    truth = read_boxes(dataset.truth, truth=True)
+    truth = None if dataset.truth is None else read_boxes(dataset.truth, truth=True)
     source = open_source(dataset.source, fps=dataset.fps)
     frames: list[Frame] = []
     source_size = size
     for _, _, frame in source:
         source_size = (frame.shape[1], frame.shape[0])
         frames.append(resized(frame, size))
+    if truth is None:
+        return Footage(dataset, frames, source.fps, size, source_size, Boxes([], [], []))
     scale = (size[0] / source_size[0], size[1] / source_size[1])
     fitted = _fitted(truth, dataset.offset, len(frames), scale)
     if fitted.ignore.all():

@@ -7,11 +7,15 @@ from collections.abc import Callable
 from survtrack.errors import UsageError
 from survtrack.experiments.experiment import Experiment
 from survtrack.experiments.narayana2007 import Narayana2007
+from survtrack.experiments.nashenda2011 import Nashenda2011
+from survtrack.experiments.omalley2000 import OMalley2000
 from survtrack.experiments.semko2007 import Semko2007
 from survtrack.experiments.suliman2010 import Suliman2010
 
 EXPERIMENTS: dict[str, Callable[[], Experiment]] = {
     "narayana2007": Narayana2007,
+    "nashenda2011": Nashenda2011,
+    "omalley2000": OMalley2000,
     "semko2007": Semko2007,
     "suliman2010": Suliman2010,
 }

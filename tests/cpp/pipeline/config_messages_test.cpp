@@ -117,5 +117,26 @@ TEST(ConfigMessages, AFilterWithoutCovarianceHasNoGaussianCost) {
   }
 }
 
+TEST(ConfigMessages, ContactsThatAreNotKeptDoNotStartAnew) {
+  Config config;
+  config.lifecycle = CountMedianOptions{.keep_contacts = false, .restart_after_s = 1.5};
+  EXPECT_EQ(message_of<ConfigError>([&] { config.check(); }),
+            "lifecycle.restart_after_s: 1.5 needs contacts that are kept, and lifecycle.keep_contacts is false; "
+            "expected lifecycle.keep_contacts true, or 0");
+  std::get<CountMedianOptions>(config.lifecycle).keep_contacts = true;
+  EXPECT_NO_THROW(config.check());
+}
+
+TEST(ConfigMessages, ContactsThatAreKeptDoNotComeBack) {
+  Config config;
+  config.lifecycle = CountMedianOptions{.keep_contacts = true};
+  config.reentry = RememberOptions{};
+  EXPECT_EQ(message_of<ConfigError>([&] { config.check(); }),
+            "reentry.model: \"remember\" needs tracks that end, and lifecycle.keep_contacts is true; "
+            "expected lifecycle.keep_contacts false, or reentry.model none");
+  config.lifecycle = CountMedianOptions{};
+  EXPECT_NO_THROW(config.check());
+}
+
 }  // namespace
 }  // namespace survtrack

@@ -46,7 +46,14 @@ class Fingerprint {
   Fingerprint& operator<<(const Detections& d) {
     add("\ndetections", d.index, d.time_s, d.frame_width, d.frame_height, d.items.size(), d.contours.size());
     for (const Detection& item : d.items) *this << item;
-    for (const Box& region : d.regions) *this << region;
+    add("\npixels", d.pixels_read);
+    for (const Region& region : d.regions) {
+      add("\nregion", static_cast<int>(region.kind), region.track_id);
+      *this << region.box;
+    }
+    for (const ColorHistogram& histogram : d.histograms) {
+      for (const float part : histogram.parts) add(part);
+    }
     for (const Event& event : d.events) *this << event;
     return *this << d.mask << d.background << d.flow;
   }

@@ -57,7 +57,7 @@ TEST_P(Halves, TheDetectorAloneGivesEveryFrame) {
     EXPECT_EQ(detections.frame_width, 96);
     EXPECT_EQ(detections.frame_height, 80);
     EXPECT_EQ(detections.mask.size(), cv::Size(96, 80));
-    EXPECT_EQ(detections.regions, (std::vector<Box>{{0.0, 0.0, 96.0, 80.0}}));
+    EXPECT_EQ(detections.regions, (std::vector<Region>{{{0.0, 0.0, 96.0, 80.0}, RegionKind::whole_frame, 0}}));
   }
   EXPECT_EQ(all[20].items.size(), 1U);  // the square, in the middle
   detector.reset();
@@ -75,7 +75,7 @@ TEST_P(Halves, AnExpectationOfAnotherTimeIsRefusedAndTheFrameStaysDue) {
   Expectation right;
   right.time_s = detector.next().time_s;
   Expectation in_parts = right;
-  in_parts.regions = {{0.0, 0.0, 10.0, 10.0}};
+  in_parts.regions = {{{200.0, 0.0, 10.0, 10.0}, RegionKind::predicted, 0}};
   EXPECT_TRUE(contains(message_of<InputError>([&] { detector.detect(in_parts, detections); }), "expectation.regions: "));
   EXPECT_TRUE(detector.due());
   EXPECT_NO_THROW(detector.detect(right, detections));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,33 @@ TEST(LostPlace, InTheOpen) {
   BoxRun run(monitor_config(5), 0.1, 384, 288);
   for (int frame = 0; frame < 20; ++frame) run.frame({at(200.0, 100.0), at(100.0, 200.0)});
   EXPECT_EQ(end_of(run, {at(100.0, 200.0)}).place, LostPlace::open);
+}
+
+TEST(LostPlace, NoiseThatRunsAwayDoesNotLeave) {
+  // A filter of acceleration takes 2 px of noise for an acceleration, and 13 predictions carry it far.
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    BoxRun run(monitor_config(25), 0.04, 384, 288);
+    std::minstd_rand random(seed);
+    std::normal_distribution<double> noise(0.0, 2.0);
+    const auto seen = [&](double x, double y) {
+      const double dx = noise(random), dy = noise(random);
+      return at(x + dx, y + dy);
+    };
+    for (int frame = 0; frame < 60; ++frame) run.frame({seen(190.0, 140.0), seen(100.0, 60.0)});
+    LostPlace place = LostPlace::none;
+    for (int frame = 0; frame < 30 && place == LostPlace::none; ++frame) {
+      for (const Event& event : run.frame({seen(100.0, 60.0)}).events) {
+        if (event.kind == EventKind::track_ended) place = event.place;
+      }
+    }
+    EXPECT_EQ(place, LostPlace::open) << seed;
+  }
+}
+
+TEST(LostPlace, AFastOneLeavesFromFarInside) {
+  BoxRun run(monitor_config(5), 1.0, 384, 288);
+  for (int frame = 0; frame < 6; ++frame) run.frame({at(40.0 + 60.0 * frame, 100.0), at(100.0, 200.0)});
+  EXPECT_EQ(end_of(run, {at(100.0, 200.0)}).place, LostPlace::border) << "at 340 of 384, 60 px a frame";
 }
 
 TEST(LostPlace, WithoutAFrameThereIsNoBorder) {

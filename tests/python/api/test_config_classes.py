@@ -23,6 +23,7 @@ OTHER_CHOICES = {
     "square": "ellipse",
     "continuous": "identity",
     "hs1981": "sobel",
+    "border": "strip",
 }
 
 

@@ -190,7 +190,17 @@ def test_squares_and_crosses_are_opencvs(edge: int) -> None:
         ({"overlap_px": 8}, ConfigError, r"overlap_px: 8 is not allowed; expected at least 9, the"),
         ({"rows": 0, "erode_px": 3, "dilate_px": 3}, ConfigError, "rows: 0 is not allowed"),
         ({"columns": 10**6, "erode_px": 3, "dilate_px": 3}, ConfigError, "columns: 1000000 is not"),
-        ({"erode_px": [[4, 4], [4, 10**12]]}, ConfigError, r"erode_px of tile \(row 2, column 2\)"),
+        (
+            {"erode_px": [[4, 4], [4, 300]]},
+            ConfigError,
+            r"erode_px of tile \(row 2, column 2\): 300",
+        ),
+        (
+            {"erode_px": [[4, 4], [4, 10**12]]},
+            ConfigError,
+            "erode_px: 1000000000000 is not allowed",
+        ),
+        ({"erode_px": -7}, ConfigError, r"erode_px of tile \(row 1, column 1\): -7 is not"),
         ({"erode_px": [4, 4, 4, 4]}, InputError, r"erode_px: is \[4, 4, 4, 4\]; expected an int"),
         ({"dilate_px": 4.5}, InputError, "dilate_px: is 4.5; expected an integer or 2x2 integers"),
         ({"dilate_px": None}, InputError, "dilate_px: is None; expected an integer or 2x2"),

@@ -16,7 +16,7 @@ import survtrack
 from clips import Image
 from option_strategies import SECTIONS, configs, options_found, with_parts_in
 from scenes import CLASSES, MERGES, MODELS, TILINGS, answer, rows
-from survtrack import Config, Detections, InputError, Pipeline, Tracker
+from survtrack import Config, Detections, InputError, NoAppearanceOptions, Pipeline, Tracker
 
 settings.register_profile("survtrack", deadline=None, derandomize=True, max_examples=200)
 settings.load_profile("survtrack")
@@ -165,6 +165,7 @@ BOXES = arrays.arrays(
 
 @given(st.lists(BOXES, min_size=1, max_size=12), configs(), st.data())
 def test_any_boxes_are_tracked(boxes: list[np.ndarray], config: Config, data: Any) -> None:
+    config.appearance = NoAppearanceOptions()  # boxes have no colours
     tracker, time_s = Tracker(with_parts_in((48, 64), config)), 0.0
     for k, array in enumerate(boxes):
         time_s += data.draw(STEPS_S)

@@ -68,7 +68,8 @@ def test_the_mask_is_of_the_frame_before_blobs(results: list[survtrack.FrameResu
         assert np.array_equal(result.mask, result.detections.mask)
         assert (result.detections.index, result.detections.time_s) == (result.index, result.time_s)
         assert result.detections.frame_size == (96, 64)
-        assert [list(box) for box in result.detections.regions] == [[0, 0, 96, 64]]
+        (region,) = result.detections.regions
+        assert list(region.box) == [0, 0, 96, 64] and region.kind.name == "whole_frame"
     (detection,) = results[40].detections
     x, y, width, height = (int(value) for value in detection.box)
     blob = results[40].mask[y : y + height, x : x + width] > 0

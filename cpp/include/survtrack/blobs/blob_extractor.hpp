@@ -32,6 +32,9 @@ class BlobExtractor {
   void extract(const cv::Mat& mask, const cv::Mat& frame, const Expectation& expectation, bool contours,
                Detections& detections);
 
+  /// Colour histograms of the pixels of each detection of the last `extract`, from the same frame.
+  void histograms(const cv::Mat& frame, std::vector<ColorHistogram>& histograms);
+
  private:
   /// Sums over a blob's pixels.
   struct Sums {
@@ -62,6 +65,7 @@ class BlobExtractor {
   BlobSharer sharer_;
   std::vector<std::size_t> remaining_;
   std::vector<Sums> sums_;  ///< by label
+  std::vector<ColorCounter> counters_;
 };
 
 }  // namespace survtrack

@@ -7,8 +7,10 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "survtrack/core/color_histogram.hpp"
 #include "survtrack/core/event.hpp"
 #include "survtrack/core/geometry.hpp"
+#include "survtrack/core/region.hpp"
 
 namespace survtrack {
 
@@ -42,7 +44,9 @@ struct Detections {
   int frame_height = 0;    ///< px
   std::vector<Detection> items;
   std::vector<std::vector<cv::Point>> contours;  ///< outer contour a detection, when asked for
-  std::vector<Box> regions;   ///< the parts of the frame that were read
+  std::vector<ColorHistogram> histograms;        ///< of its pixels a detection, with appearance.model color_histogram
+  std::vector<Region> regions;  ///< the parts of the frame that were read; they may overlap
+  std::int64_t pixels_read = 0;  ///< number of pixels in them, each counted once
   std::vector<Event> events;  ///< raised by the detector
   cv::Mat mask;               ///< CV_8UC1, 0 or 255; empty for a user's own boxes
   cv::Mat background;         ///< the model's background picture, when asked for

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "survtrack/core/geometry.hpp"
+#include "survtrack/core/region.hpp"
 #include "survtrack/core/scene_scale.hpp"
 #include "survtrack/core/vicinity_grid.hpp"
 
@@ -30,7 +31,7 @@ struct Expectation {
   std::vector<PredictedTrack> tracks;
   SceneScale scale;                    ///< how large objects are, where
   std::optional<VicinityGrid> vicinity;  ///< how much things move, where; with vicinity.model grid
-  std::vector<Box> regions;            ///< where to look; empty: the whole frame
+  std::vector<Region> regions;         ///< where to look; empty: the whole frame
   std::vector<Box> keep;               ///< places that the background must not learn
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "survtrack/association/appearance_options.hpp"
 #include "survtrack/association/options.hpp"
 #include "survtrack/blobs/options.hpp"
 #include "survtrack/core/fields.hpp"
@@ -14,6 +15,7 @@
 #include "survtrack/segmentation/options.hpp"
 #include "survtrack/tracking/identity_options.hpp"
 #include "survtrack/tracking/options.hpp"
+#include "survtrack/tracking/region_options.hpp"
 
 namespace survtrack {
 
@@ -45,11 +47,13 @@ struct Config {
   FilterOptions filter;
   MeasurementOptions measurement;
   CostOptions cost;
+  AppearanceOptions appearance;
   AssignmentOptions assignment;
   LifecycleOptions lifecycle;
   GroupOptions groups;
   ReentryOptions reentry;
   VicinityOptions vicinity;
+  RegionOptions regions;
   OutputOptions outputs;
 
   static constexpr auto fields() {
@@ -63,11 +67,13 @@ struct Config {
         field("filter", &O::filter, "", "how tracks move"),
         field("measurement", &O::measurement, "", "what of a detection a track follows"),
         field("cost", &O::cost, "", "how well a detection fits a track"),
+        field("appearance", &O::appearance, "", "what else makes a detection fit a track"),
         field("assignment", &O::assignment, "", "who gets which detection"),
         field("lifecycle", &O::lifecycle, "", "when tracks are born, believed, lost and closed"),
         field("groups", &O::groups, "", "tracks that merge into one blob"),
         field("reentry", &O::reentry, "", "tracks that ended and come back"),
         field("vicinity", &O::vicinity, "", "what the scene teaches about sizes and speeds"),
+        field("regions", &O::regions, "", "which parts of a frame are read"),
         field("outputs", &O::outputs, "", "extras of a result that cost something"));
   }
 

@@ -26,7 +26,8 @@ struct TimedFrame {
 };
 
 /// The first half: frame in, detections out (segmentation, cleanup, blobs). Usable alone, with detections
-/// going to another tracker. Options used: `segmenter`, `cleanup`, `blobs`, `outputs`.
+/// going to another tracker. Options used: `segmenter`, `cleanup`, `blobs`, `regions`,
+/// `appearance`, `outputs`.
 class Detector {
  public:
   /// Throws `ConfigError`.
@@ -38,9 +39,10 @@ class Detector {
   /// Frame in, detections out; nothing while a delayed model fills. `image`: HxW or HxWx3 (BGR) uint8,
   /// all of one size; `time_s` increases; `index` increases and counts on from the last by default.
   /// Throws `InputError` and then keeps its state.
-  /// `keep`: places that the background must not learn in the frame that is due.
+  /// `keep`: places that the background must not learn in the frame that is due. `regions`: where to look in it; none:
+  /// everywhere.
   std::optional<Detections> process(const cv::Mat& image, double time_s, std::optional<std::int64_t> index = {},
-                                    const std::vector<Box>& keep = {});
+                                    const std::vector<Box>& keep = {}, const std::vector<Box>& regions = {});
 
   /// The rest of a delayed model, in order. After it only `reset` is allowed.
   std::vector<Detections> finish();
@@ -56,14 +58,26 @@ class Detector {
   /// Throws `InputError` when none is due.
   const TimedFrame& next() const;
   /// The expectation is for the time of `next()`. Throws `InputError` when it is not, or when it names regions
-  /// and the background model reads whole frames.
+  /// and the background model reads whole frames, or a region wholly outside of the frame. Where it names some, only
+  /// they are read, and with `regions.model = predicted` a strip in turn; the frame is read whole when the background
+  /// model starts, when about all would be read, and after a frame that was nearly all foreground where it was read.
   void detect(const Expectation& expectation, Detections& detections);
 
  private:
+  void plan(const cv::Size& size, double time_s, const Expectation& expectation, std::vector<Region>& regions);
+  void add_strip(const cv::Size& size, double time_s, std::vector<Region>& regions);
+
   OutputOptions outputs_;
+  std::optional<PredictedRegionsOptions> regions_;
+  ReadPlan plan_;
+  std::vector<double> strip_read_s_;  ///< when each strip was last read
+  std::size_t strip_ = 0;             ///< the next one
+  bool flooded_ = false;              ///< nearly all that was read of the frame before was foreground
+  bool look_at_all_ = false;          ///< and so the next is read whole
   std::unique_ptr<Segmenter> segmenter_;
   Cleanup cleanup_;
   BlobExtractor blobs_;
+  bool histograms_ = false;
   std::vector<TimedFrame> queue_;  ///< those that wait, oldest first
   cv::Size size_;
   int channels_ = 0;

@@ -49,6 +49,9 @@ class Pipeline {
     tracker_.load_learned_scene(json, source);
   }
 
+  /// See Tracker::load_zones.
+  void load_zones(const std::vector<Box>& zones) { tracker_.load_zones(zones); }
+
  private:
   void step(FrameResult& result);
 

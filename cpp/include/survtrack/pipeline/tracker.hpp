@@ -15,6 +15,7 @@
 #include "survtrack/tracking/groups.hpp"
 #include "survtrack/tracking/lifecycle.hpp"
 #include "survtrack/tracking/matcher.hpp"
+#include "survtrack/tracking/region_planner.hpp"
 #include "survtrack/tracking/track_table.hpp"
 #include "survtrack/tracking/tracking_result.hpp"
 #include "survtrack/tracking/vicinity_learner.hpp"
@@ -22,8 +23,8 @@
 namespace survtrack {
 
 /// The second half: detections in, tracks out. Usable alone, on the boxes of any detector. Options used:
-/// `time_unit_s`, `filter`, `measurement`, `cost`, `assignment`, `lifecycle`, `groups`, `reentry`, `vicinity`,
-/// `outputs`.
+/// `time_unit_s`, `filter`, `measurement`, `cost`, `appearance`, `assignment`, `lifecycle`, `groups`, `reentry`, `vicinity`,
+/// `regions`, `outputs`.
 class Tracker {
  public:
   /// Throws `ConfigError`.
@@ -33,8 +34,9 @@ class Tracker {
   /// boxes that are not finite or not of positive size) and then keeps its state.
   TrackingResult process(const Detections& detections);
 
-  /// Moves all tracks on to the coming frame's time and says what is expected there.
-  const Expectation& predict(double time_s);
+  /// Moves all tracks on to the coming frame's time and says what is expected there. The frame's size, px, is needed
+  /// for regions only; 0: that of the frames before.
+  const Expectation& predict(double time_s, int frame_width = 0, int frame_height = 0);
 
   /// Associates, filters, and decides births and ends; reuses the memory of `result`.
   /// Comes once after `predict` for the same time. Throws `InputError` and then keeps its state.
@@ -42,6 +44,10 @@ class Tracker {
 
   /// Throws `InputError` for a frame of a size that what is learned of the scene cannot be of; sides of 0 px: unknown.
   void check_frame_size(int width, int height) const;
+
+  /// Where newcomers are looked for, px, with `regions.acquisition = zones`; before the first frame. Throws `InputError`
+  /// for zones without size, for none, and when the config has no use for them.
+  void load_zones(const std::vector<Box>& zones);
 
   /// Forgets all tracks and all that was learned; ids start at 1 again.
   void reset();
@@ -61,9 +67,11 @@ class Tracker {
   TrackTable table_;
   Matcher matcher_;
   std::unique_ptr<Lifecycle> lifecycle_;
+  bool histograms_ = false;
   std::optional<VicinityLearner> vicinity_;
   ConvergenceWatch convergence_;
   std::optional<GroupWatch> groups_;
+  std::optional<RegionPlanner> regions_;
   Expectation expectation_;
   std::vector<char> believed_before_;  ///< a row, before this frame's decisions
   std::vector<char> was_lost_;         ///< a row, in the frame before

@@ -51,6 +51,7 @@ struct MovingAverageOptions {
 struct SelectiveOptions {
   static constexpr const char* model = "selective";
   static constexpr const char* meaning = "selective running average with a tolerance of its own for each pixel";
+  static constexpr bool reads_regions = true;  ///< parts of a frame can be read
 
   double threshold = 20.0;
   double noise_gain = 3.0;

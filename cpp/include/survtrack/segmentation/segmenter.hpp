@@ -10,6 +10,7 @@
 #include "survtrack/core/event.hpp"
 #include "survtrack/core/expectation.hpp"
 #include "survtrack/segmentation/options.hpp"
+#include "survtrack/segmentation/read_plan.hpp"
 
 namespace survtrack {
 
@@ -29,6 +30,15 @@ class Segmenter {
   /// reallocated only when its size differs) and learns from it. The input is left alone.
   virtual void segment(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
                        std::vector<Event>& events) = 0;
+
+  /// Whether the model can read parts of a frame. Its options say the same by `reads_regions`, for the check of a config.
+  virtual bool reads_regions() const { return false; }
+  /// Whether the coming frame must be read whole because the model starts to learn.
+  virtual bool needs_whole_frame() const { return true; }
+  /// The same as `segment` of the pixels in `plan` only; elsewhere the mask is 0 and nothing is learned. Comes
+  /// only when the model reads regions and does not need the whole frame.
+  virtual void segment_regions(const cv::Mat& frame, const Expectation& expectation, const ReadPlan& plan, cv::Mat& mask,
+                               std::vector<Event>& events);
 
   /// The background picture as known after the last `segment`, of the frame's size; CV_8UC1 or CV_8UC3.
   /// Empty before the first, and always for a model that has none.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "survtrack/association/appearance_options.hpp"
 #include "survtrack/association/cost_matrix.hpp"
 #include "survtrack/association/hungarian.hpp"
 #include "survtrack/association/options.hpp"
@@ -19,7 +20,7 @@ namespace survtrack {
 /// Who is who: fills the matrix of costs, tracks by detections, and assigns.
 class Matcher {
  public:
-  Matcher(const CostOptions& cost, const AssignmentOptions& assignment);
+  Matcher(const CostOptions& cost, const AssignmentOptions& assignment, const AppearanceOptions& appearance = {});
 
   /// Reuses the memory of `matches`. Throws `InputError` for detections that the cost cannot be computed of.
   void match(const TrackTable& table, const Detections& detections, Matches& matches);
@@ -31,11 +32,13 @@ class Matcher {
   const std::optional<BeliefCost>& belief() const { return belief_; }
 
  private:
+  void add_appearance(const TrackTable& table, const Detections& detections);
   void assign_rows(const TrackTable& table, const Detections& detections, Assignment& assignment);
   void assign_in_row_order(const Detections& detections, Assignment& assignment);
 
   CostOptions cost_;
   AssignmentOptions assignment_;
+  AppearanceOptions appearance_;
   CostMatrix costs_;
   std::optional<BeliefCost> belief_;
   HungarianSolver solver_;

@@ -110,7 +110,26 @@ struct CountMedianOptions {
   }
 };
 
-using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions>;
+/// O'Malley 2000: who crosses an acquisition region is followed; a track that is not found is at its prediction, while
+/// its covariance and with it its region grow, and is lost after a limit.
+struct RegionGrowthOptions {
+  static constexpr const char* model = "region_growth";
+  static constexpr const char* meaning =
+      "followed from an acquisition region on; predicted while not found, up to a limit (O'Malley 2000)";
+
+  int lost_after_frames = 15;
+  int max_objects = 100;
+
+  static constexpr auto fields() {
+    using O = RegionGrowthOptions;
+    return std::make_tuple(
+        field("lost_after_frames", &O::lost_after_frames, "frames", "the next miss in a row closes a track", between(0, 1e6)),
+        field("max_objects", &O::max_objects, "", "most tracks at a time", between(1, 100000)));
+  }
+};
+
+using LifecycleOptions =
+    std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions, RegionGrowthOptions>;
 
 
 /// No vicinity factor is learned.

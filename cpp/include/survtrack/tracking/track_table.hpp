@@ -29,11 +29,18 @@ class TrackTable {
   const OpenTrack& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
   const ScaleLearner& scale() const { return scale_; }
   void restore(const ScaleLearner::State& scale) { scale_.restore(scale); }
+  /// From here on each row has a colour histogram, which moves towards its detections' by `rate`.
+  void keep_histograms(double rate) { histogram_rate_ = rate; }
+  const ColorHistogram& histogram(int i) const { return histograms_[static_cast<std::size_t>(i)]; }
   double time_unit_s() const { return time_unit_s_; }
 
   /// Where row `i` is expected to be measured, after `predict`.
   Point predicted_position(int i) const { return filters_->predicted_position(i); }
   Box predicted_box(int i) const { return box_at(measurement_, row(i), predicted_position(i)); }
+  /// For how long row `i` was not found, up to the frame before the one that was predicted.
+  double lost_s(int i) const { return row(i).track.lost_frames == 0 ? 0.0 : time_s_ - dt_s_ - row(i).track.end_time_s; }
+  /// Covariance of that position, without the measurement's.
+  Symmetric2 predicted_covariance_px2(int i) const { return filters_->estimate(i).covariance_px2; }
   Symmetric2 innovation_covariance_px2(int i, const Symmetric2& extra_px2 = {}) const {
     return filters_->innovation_covariance_px2(i, extra_px2);
   }
@@ -92,6 +99,8 @@ class TrackTable {
   std::unique_ptr<FilterBank> filters_;
   double time_unit_s_;
   std::vector<OpenTrack> rows_;
+  std::optional<double> histogram_rate_;
+  std::vector<ColorHistogram> histograms_;  ///< a row; none without a rate
   ScaleLearner scale_;
   std::optional<ReentryMemory> memory_;
   std::int64_t last_id_ = 0;

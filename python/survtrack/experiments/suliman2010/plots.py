@@ -36,7 +36,7 @@ def _reentry(made: Made) -> "Figure":
         axes.plot(one.indices, one.markers[:, 0], ".", color=BLUE, markersize=3, label="marker")
         axes.axhline(384, color=GREY, linestyle=":", linewidth=0.8, label="right border")
         axes.set_title(way, fontsize="small")
-        axes.set_ylim(0, 560)
+        axes.set_ylim(0, 420)
         axes.set_xlabel("frame")
         plain(axes)
     panels[0].set_ylabel("x, px")

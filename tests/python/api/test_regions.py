@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: 2026 The survtrack developers
+# SPDX-License-Identifier: Apache-2.0
+"""Regions that are read instead of whole frames."""
+
+import numpy as np
+import pytest
+
+import survtrack
+from scenes import FPS, config_of, run, scene
+
+PREDICTED = survtrack.PredictedRegionsOptions(border=0.1, refresh_frames=20)
+
+
+def kinds(result: survtrack.FrameResult) -> list[str]:
+    return [region.kind.name for region in result.regions]
+
+
+def test_the_same_tracks_in_fewer_pixels() -> None:
+    frames = scene()
+    expected = run(survtrack.Pipeline(), frames)
+    found = run(survtrack.Pipeline(config_of(regions=PREDICTED)), frames)
+    area = frames[0].shape[0] * frames[0].shape[1]
+    assert {result.pixels_read for result in expected} == {area}
+    assert kinds(expected[-1]) == ["whole_frame"]
+    assert sum(result.pixels_read for result in found) < 0.75 * area * len(found)
+    assert [t.id for t in found[-1].tracks] == [t.id for t in expected[-1].tracks] == [1]
+    assert survtrack.iou(found[-1].tracks[0].box, expected[-1].tracks[0].box) > 0.9
+    assert kinds(found[0]) == ["whole_frame"]
+    assert kinds(found[1]) == ["acquisition"] * 4 + ["refresh"]
+    region = next(r for r in found[-1].regions if r.track_id == 1)
+    assert region.kind is survtrack.RegionKind.predicted
+    assert survtrack.iou(region.box, found[-1].tracks[0].box) > 0.1
+    assert found[-1].detections.regions == found[-1].regions
+    assert found[-1].detections.pixels_read == found[-1].pixels_read
+    assert "predicted" in repr(region) and hash(region) == hash(region)
+
+
+def test_nothing_outside_of_the_regions_is_looked_at() -> None:
+    frames = scene()
+    detector = survtrack.Detector(survtrack.Config())
+    detector.process(frames[0], 0.0)
+    moved = 255 - frames[0]
+    seen = detector.process(moved, 0.1, regions=[survtrack.Box(4, 6, 10, 8)])
+    assert seen is not None and seen.mask is not None and seen.pixels_read == 80
+    assert seen.mask.sum() == seen.mask[6:14, 4:14].sum() > 0
+    with pytest.raises(survtrack.InputError, match=r"expectation.regions\[0\]: .* lies outside"):
+        detector.process(moved, 0.2, regions=[survtrack.Box(-20, 0, 10, 10)])
+    other = survtrack.Detector(config_of(segmenter=survtrack.KnnOptions()))
+    with pytest.raises(survtrack.InputError, match="reads whole frames"):
+        other.process(moved, 0.1, regions=[survtrack.Box(4, 6, 10, 8)])
+
+
+def test_zones() -> None:
+    options = PREDICTED.replace(acquisition="zones", refresh_frames=0)
+    pipeline = survtrack.Pipeline(config_of(regions=options))
+    with pytest.raises(survtrack.InputError, match="needs zones"):
+        pipeline.process(scene()[0], 0.0)
+    with pytest.raises(survtrack.InputError, match="zones: are none"):
+        pipeline.load_zones([])
+    pipeline.load_zones([survtrack.Box(0, 0, 20, 1000)])
+    results = run(pipeline, scene())
+    height = scene()[0].shape[0]
+    assert results[1].pixels_read == 20 * height
+    assert results[1].regions[0].box == survtrack.Box(0, 0, 20, height), "cut to the frame"
+    with pytest.raises(survtrack.InputError, match="no use for them"):
+        survtrack.Pipeline().load_zones([survtrack.Box(0, 0, 20, 20)])
+    with pytest.raises(survtrack.InputError, match="after the first frame"):
+        pipeline.load_zones([survtrack.Box(0, 0, 20, 20)])
+
+
+def test_a_tracker_alone_says_where_to_look() -> None:
+    tracker = survtrack.Tracker(config_of(regions=PREDICTED))
+    assert tracker.predict(0.0).regions == [], "the size is not known"
+    tracker.update(survtrack.Detections([[50, 40, 10, 20]], 0.0, frame_size=(160, 120)))
+    expected = tracker.predict(0.1)
+    assert [r.kind.name for r in expected.regions] == ["acquisition"] * 4 + ["predicted"]
+    box = expected.regions[-1].box
+    assert box.x < 50 and box.right > 60 and box.y < 40 and box.bottom > 60
+    fresh = survtrack.Tracker(config_of(regions=PREDICTED))
+    assert len(fresh.predict(0.0, frame_size=(160, 120)).regions) == 4
+
+
+def test_hit_rate_is_that_of_theory() -> None:
+    """Of positions drawn from the model so many lie within k sigmas along and across."""
+    rng = np.random.default_rng(3)
+    covariance = np.diag([9.0, 4.0])
+    for k, share in ((1.0, 0.6827**2), (2.0, 0.9545**2), (3.0, 0.9973**2)):
+        options = survtrack.PredictedRegionsOptions(
+            sigmas_along=k, sigmas_across=k, whole_object=True, margin=0.0, growth=0.0
+        )
+        box = survtrack.Box(95, 47, 10, 6)
+        region = survtrack.predicted_region(options, (80, 50), (100, 50), covariance, box)
+        drawn = rng.multivariate_normal((100, 50), covariance, 20000)
+        half = np.array([5, 3])
+        low, high = drawn - half, drawn + half
+        inside = (low >= (region.x, region.y)) & (high <= (region.right, region.bottom))
+        assert inside.all(axis=1).mean() == pytest.approx(share, abs=0.01)
+
+
+def test_on_a_path() -> None:
+    path = survtrack.Path([(0, 0), (100, 0), (100, 100), (0, 100)], closed=True)
+    options = survtrack.PredictedRegionsOptions(
+        sigmas_along=3, sigmas_across=1, forward_only=True, whole_object=False, margin=0, growth=0
+    )
+    region = survtrack.predicted_region_on_path(
+        options, path, (390, 0), (10, 0), np.diag([4.0, 0.0]), (4, 4)
+    )
+    assert list(region) == pytest.approx([0, 0, 16, 10])
+    with pytest.raises(survtrack.InputError, match="symmetric 2x2"):
+        survtrack.predicted_region_on_path(
+            options, path, (390, 0), (10, 0), np.array([[4.0, 1.0], [0.0, 4.0]]), (4, 4)
+        )
+    with pytest.raises(survtrack.InputError, match="no size"):
+        survtrack.predicted_region(options, (0, 0), (1, 0), np.eye(2), survtrack.Box(0, 0, 0, 4))
+
+
+def test_time_goes_on_in_what_is_refreshed() -> None:
+    """Outside of regions the background follows the light by its strips."""
+    frames = [np.full((120, 160, 3), 90, np.uint8) for _ in range(10)]
+    frames += [np.full((120, 160, 3), 90 + i // 4, np.uint8) for i in range(60)]
+    options = PREDICTED.replace(refresh_frames=10)
+    config = config_of(regions=options, outputs=survtrack.OutputOptions(background=True))
+    last = run(survtrack.Pipeline(config), frames, FPS)[-1]
+    assert last.background is not None
+    assert abs(int(last.background[60, 80, 0]) - 104) < 8
+    assert last.detections.mask is not None and last.detections.mask.max() == 0
