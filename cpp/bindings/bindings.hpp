@@ -42,6 +42,7 @@ void bind_region_values(py::module_& module);
 void bind_values(py::module_& module);
 void bind_results(py::module_& module);
 void bind_segmentation(py::module_& module);
+void bind_scene_change(py::module_& module);
 void bind_tiling(py::module_& module);
 void bind_flow(py::module_& module);
 void bind_filtering(py::module_& module);

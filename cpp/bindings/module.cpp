@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_config(module);
   bindings::bind_results(module);
   bindings::bind_segmentation(module);
+  bindings::bind_scene_change(module);
   bindings::bind_tiling(module);
   bindings::bind_flow(module);
   bindings::bind_filtering(module);

@@ -13,6 +13,14 @@ void bind_options(py::module_& module) {
   bind_model_options<HornSchunckOptions>(module, "HornSchunckOptions");
   bind_model_options<Mog2Options>(module, "Mog2Options");
   bind_model_options<KnnOptions>(module, "KnnOptions");
+  bind_model_options<StaticReferenceOptions>(module, "StaticReferenceOptions");
+  bind_model_options<NormalizedDifferenceOptions>(module, "NormalizedDifferenceOptions");
+  bind_model_options<BlocksOptions>(module, "BlocksOptions");
+  bind_model_options<ChangedPixelsOptions>(module, "ChangedPixelsOptions");
+  bind_model_options<HistogramOptions>(module, "HistogramOptions");
+  bind_model_options<KolmogorovSmirnovOptions>(module, "KolmogorovSmirnovOptions");
+  bind_model_options<NoSceneChangeOptions>(module, "NoSceneChangeOptions");
+  bind_model_options<GuardOptions>(module, "GuardOptions");
   bind_model_options<NoTilingOptions>(module, "NoTilingOptions");
   bind_model_options<WholeFrameOptions>(module, "WholeFrameOptions");
   bind_model_options<QuadrantsOptions>(module, "QuadrantsOptions");

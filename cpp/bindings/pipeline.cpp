@@ -71,13 +71,25 @@ void bind_whole(py::module_& module) {
            "None while a delayed pipeline fills. Raises InputError and then keeps its state.")
       .def("finish", &finish_pipeline, "The source has ended: the results still due. After it only reset() is allowed.")
       .def("reset", [](PyPipeline& self) { self.run([](Pipeline& p) { p.reset(); }); },
-           "Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.")
+           "Forgets frames, tracks and all that was learned, but no picture that was loaded nor zones; the next frame is a\n"
+           "first frame and ids start at 1.")
       .def(
           "load_zones",
           [](PyPipeline& self, const std::vector<Box>& zones) { self.run([&](Pipeline& s) { s.load_zones(zones); }); },
           py::arg("zones"),
           "Where newcomers are looked for, boxes in px, with regions.acquisition zones; before the first frame. Kept by\n"
           "reset(). Raises InputError for none, for zones without size, and when the config has no use for them.")
+      .def(
+          "load_background",
+          [](PyPipeline& self, const py::object& picture) {
+            const ImageView view = view_of_image(picture, "background");
+            self.run([&](Pipeline& p) { p.load_background(view.image); });
+          },
+          py::arg("picture"),
+          "The picture to start from, with segmenter.model static_reference and source picture: HxW or HxWx3 (BGR) uint8 of\n"
+          "the frames' size, copied. Before the first frame; it outlives reset(). Raises InputError.")
+      .def("relearn_background", [](PyPipeline& self) { self.run([](Pipeline& p) { p.relearn_background(); }); },
+           "The scene changed: the background is learned anew from the coming frames.")
       .def("learned_scene", [](PyPipeline& self) { return self.run([](Pipeline& s) { return s.learned_scene(); }); },
            "What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.")
       .def(
@@ -115,7 +127,19 @@ void bind_detector(py::module_& module) {
             return rest;
           },
           "The rest of a delayed model. After it only reset() is allowed.")
-      .def("reset", [](PyDetector& self) { self.run([](Detector& d) { d.reset(); }); }, "Forgets everything.");
+      .def(
+          "load_background",
+          [](PyDetector& self, const py::object& picture) {
+            const ImageView view = view_of_image(picture, "background");
+            self.run([&](Detector& d) { d.load_background(view.image); });
+          },
+          py::arg("picture"),
+          "The picture to start from, with segmenter.model static_reference and source picture: HxW or HxWx3 (BGR) uint8 of\n"
+          "the frames' size, copied. Before the first frame; it outlives reset(). Raises InputError.")
+      .def("relearn_background", [](PyDetector& self) { self.run([](Detector& d) { d.relearn_background(); }); },
+           "The scene changed: the background is learned anew from the coming frames.")
+      .def("reset", [](PyDetector& self) { self.run([](Detector& d) { d.reset(); }); },
+           "Forgets everything but a picture that was loaded.");
 }
 
 void bind_tracker(py::module_& module) {

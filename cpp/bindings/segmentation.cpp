@@ -34,6 +34,7 @@ py::array segment(PySegmenter& self, const py::object& frame, double time_s) {
   const ImageView view = view_of_image(frame, "frame");
   if (self.channels != 0) check_same_format(view.image, self.size, self.channels);
   check_time(time_s, self.time_s);
+  if (self.channels == 0) self.model->check_first(view.image);
   self.size = view.image.size();
   self.channels = view.image.channels();
   self.time_s = time_s;
@@ -93,6 +94,19 @@ void bind_segmentation(py::module_& module) {
       .def("segment", &segment, py::arg("frame"), py::arg("time_s"),
            "One frame on: frame is HxW or HxWx3 (BGR) uint8, time_s increases. Returns the mask before cleanup, HxW\n"
            "uint8, 0 or 255. Raises InputError and then keeps its state.")
+      .def(
+          "load_background",
+          [](PySegmenter& self, const py::object& picture) {
+            if (self.channels != 0) {
+              throw InputError("background: came after the first frame; expected it before, or after reset()");
+            }
+            self.model->load_background(view_of_image(picture, "background").image);
+          },
+          py::arg("picture"),
+          "The picture to start from, with segmenter.source picture: HxW or HxWx3 (BGR) uint8 of the frames' size, copied.\n"
+          "Before the first frame; it outlives reset(). Raises InputError.")
+      .def("relearn", [](PySegmenter& self) { self.model->relearn(); },
+           "The scene changed: learns the background anew from the coming frames.")
       .def("background", &background, "The background picture, uint8 of the frame's size.")
       .def("flow", &flow, "The last flow field, HxWx2 float32, px to the right and down; None while there is none.")
       .def("reset", [](PySegmenter& self) {

@@ -190,7 +190,8 @@ void bind_expectation(py::module_& module) {
       .def_readonly("tracks", &Expectation::tracks)
       .def_readonly("scale", &Expectation::scale, "How large objects are, where.")
       .def_readonly("vicinity", &Expectation::vicinity, "How much things move, where; None without vicinity.model grid.")
-      .def_readonly("regions", &Expectation::regions, "Where to look; empty: the whole frame.")
+      .def_readonly("only_regions", &Expectation::only_regions, "Only regions are read, and what is refreshed in turn; else all is.")
+      .def_readonly("regions", &Expectation::regions, "Where to look.")
       .def_readonly("keep", &Expectation::keep, "Places that the background must not learn.");
   py::class_<Match>(module, "Match", "A pair of track and detection that passed the gate.")
       .def_readonly("track_id", &Match::track_id)

@@ -196,21 +196,32 @@ def refuse_endless_delay(source: "Source", pipeline: "Pipeline") -> None:
         )
 
 
-def least_frames(config: "Config") -> int:
-    """How many frames a source must have: more than the flow looks back."""
-    from survtrack import HornSchunckOptions
+def _empty_masks(config: "Config") -> tuple[str, int]:
+    """How many masks of a run's beginning are empty by the segmenter's options, and by which."""
+    from survtrack import HornSchunckOptions, NormalizedDifferenceOptions, StaticReferenceOptions
 
     segmenter = config.segmenter
-    return segmenter.frames_back + 1 if isinstance(segmenter, HornSchunckOptions) else 1
+    if isinstance(segmenter, StaticReferenceOptions) and segmenter.source != "picture":
+        return "frames", segmenter.frames
+    if isinstance(segmenter, HornSchunckOptions):
+        return "frames_back", segmenter.frames_back
+    if isinstance(segmenter, NormalizedDifferenceOptions) and segmenter.reference == "previous":
+        return "frames_back", segmenter.frames_back
+    return "", 0
+
+
+def least_frames(config: "Config") -> int:
+    """How many frames a source must have: more than those whose masks are empty."""
+    return _empty_masks(config)[1] + 1
 
 
 def too_short(config: "Config", name: str, count: int) -> InputError | None:
-    """What is wrong when `count` frames are too few for the flow to an earlier one, if it is."""
-    least = least_frames(config)
-    if count == 0 or count >= least:
+    """What is wrong when `count` frames are too few for a model whose first masks are empty."""
+    option, frames = _empty_masks(config)
+    if not option or count == 0 or count > frames:
         return None
     return InputError(
-        f"segmenter.frames_back: {least - 1} is not allowed with the {count} "
+        f"segmenter.{option}: {frames} is not allowed with the {count} "
         f"frame(s) of {name}; expected fewer than there are"
     )
 

@@ -63,18 +63,23 @@ SECTIONS = sections()
 
 def parts(section: str) -> Strategy:
     """A section as a dict: a model, and any of its options, those that are sections among them."""
-    models = SECTIONS[section]
-    inner = {
-        name.removeprefix(f"{section}."): parts(name)
-        for name in SECTIONS
-        if name.startswith(f"{section}.")
-    }
     return st.one_of(
         st.fixed_dictionaries(
-            {} if model is None else {"model": st.just(model)}, optional=options | inner
+            {} if model is None else {"model": st.just(model)},
+            optional=options | inner_parts(section, model),
         )
-        for model, options in models.items()
+        for model, options in SECTIONS[section].items()
     )
+
+
+def inner_parts(section: str, model: str | None) -> dict[str, Strategy]:
+    """The sections of a section; with models only those that this one has."""
+    names = [name for name in SECTIONS if name.startswith(f"{section}.")]
+    if names and model is not None:
+        chosen = survtrack.Config(**{section: {"model": model}}).to_dict()[section]
+        assert isinstance(chosen, dict)
+        names = [name for name in names if name.removeprefix(f"{section}.") in chosen]
+    return {name.removeprefix(f"{section}."): parts(name) for name in names}
 
 
 def options_found() -> Iterator[tuple[str, str | None, str]]:
@@ -138,7 +143,10 @@ def with_reach(config: survtrack.Config) -> survtrack.Config:
 
 
 def with_parts_in(frame: tuple[int, ...], config: survtrack.Config) -> survtrack.Config:
-    """The config with a vicinity grid and tiles that a frame of this shape has room for."""
+    """The config with a vicinity grid and tiles that a frame has room for, and no picture."""
+    segmenter = config.segmenter
+    if isinstance(segmenter, survtrack.StaticReferenceOptions) and segmenter.source == "picture":
+        config.set("segmenter.source=median")
     if config.vicinity.model == "grid":
         config.set(f"vicinity.cell_px={min(config.vicinity.cell_px, *frame[:2])}")
     tiling = config.cleanup.tiling

@@ -18,7 +18,10 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.Mog2Options,
         survtrack.KnnOptions,
         survtrack.HornSchunckOptions,
+        survtrack.StaticReferenceOptions,
+        survtrack.NormalizedDifferenceOptions,
     ),
+    "scene_change": (survtrack.NoSceneChangeOptions, survtrack.GuardOptions),
     "filter": (
         survtrack.KalmanCvOptions,
         survtrack.KalmanCaOptions,
@@ -53,6 +56,12 @@ MERGES: tuple[type[Any], ...] = (
     survtrack.CloseMergeOptions,
     survtrack.NoMergeOptions,
 )
+MEASURES: tuple[type[Any], ...] = (
+    survtrack.BlocksOptions,
+    survtrack.ChangedPixelsOptions,
+    survtrack.HistogramOptions,
+    survtrack.KolmogorovSmirnovOptions,
+)
 TILINGS: tuple[type[Any], ...] = (
     survtrack.NoTilingOptions,
     survtrack.WholeFrameOptions,
@@ -66,6 +75,7 @@ PARTS: dict[str, type[Any]] = {
 CLASSES: list[type[Any]] = [
     *(one for models in MODELS.values() for one in models),
     *MERGES,
+    *MEASURES,
     *TILINGS,
     *PARTS.values(),
 ]

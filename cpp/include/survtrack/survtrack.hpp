@@ -33,6 +33,7 @@
 #include "survtrack/pipeline/tracker.hpp"
 #include "survtrack/segmentation/cleanup.hpp"
 #include "survtrack/segmentation/horn_schunck.hpp"
+#include "survtrack/segmentation/scene_change.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
 #include "survtrack/segmentation/tiled_morphology.hpp"
 #include "survtrack/tracking/paths.hpp"

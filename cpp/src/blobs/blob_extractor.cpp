@@ -27,7 +27,9 @@ void check_inputs(const cv::Mat& mask, const cv::Mat& frame) {
 
 }  // namespace
 
-BlobExtractor::BlobExtractor(const BlobOptions& options) : options_(options) { check_fields(options); }
+BlobExtractor::BlobExtractor(const BlobOptions& options) : options_(options), labeller_(options.connectivity) {
+  check_fields(options);
+}
 
 void BlobExtractor::extract(const cv::Mat& mask, const cv::Mat& frame, const Expectation& expectation, bool contours,
                             Detections& detections) {

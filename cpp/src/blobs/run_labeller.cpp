@@ -55,14 +55,15 @@ const std::vector<Run>& RunLabeller::label(const cv::Mat& mask) {
   return runs_;
 }
 
-/// Labels the runs from `begin` on by those of the row above, which touch when they overlap or meet at
+/// Labels the runs from `begin` on by those of the row above, which touch when they overlap or, 8-connected, meet at
 /// a corner. Both rows are walked once.
 void RunLabeller::join(std::size_t above, std::size_t above_end, std::size_t begin) {
+  const int overlap = connectivity_ == Connectivity::four ? 1 : 0;
   for (std::size_t i = begin; i < runs_.size(); ++i) {
     Run& run = runs_[i];
-    while (above < above_end && runs_[above].x_end < run.x_begin) ++above;
+    while (above < above_end && runs_[above].x_end < run.x_begin + overlap) ++above;
     run.label = -1;
-    for (std::size_t j = above; j < above_end && runs_[j].x_begin <= run.x_end; ++j) {
+    for (std::size_t j = above; j < above_end && runs_[j].x_begin + overlap <= run.x_end; ++j) {
       run.label = run.label < 0 ? root(runs_[j].label) : unite(run.label, runs_[j].label);
     }
     if (run.label >= 0) continue;

@@ -79,12 +79,16 @@ void write_rows(std::ostream& out, const std::string& path) {
   if (!any) out << "\nNo options.\n";
 }
 
+template <class Struct>
+void write_sections(std::ostream& out, const std::string& path);
+
 template <class Variant, std::size_t... I>
 void write_models(std::ostream& out, const std::string& path, std::index_sequence<I...>) {
   const auto write = [&](auto alternative) {
     using Alternative = decltype(alternative);
     out << "\n### `" << path << ".model = \"" << Alternative::model << "\"`\n\n" << Alternative::meaning << ".\n";
     write_rows<Alternative>(out, path);
+    write_sections<Alternative>(out, path);
   };
   (write(std::variant_alternative_t<I, Variant>{}), ...);
 }

@@ -37,6 +37,16 @@ Detector::Detector(const Config& config)
       blobs_(config.blobs),
       histograms_(std::holds_alternative<ColorHistogramOptions>(config.appearance)) {
   if (const auto* predicted = std::get_if<PredictedRegionsOptions>(&config.regions)) regions_ = *predicted;
+  if (const auto* guard = std::get_if<GuardOptions>(&config.scene_change)) {
+    scene_action_ = guard->action;
+    relearn_s_ = guard->relearn_s;
+    guard_.emplace(*guard);
+  }
+}
+
+void Detector::load_background(const cv::Mat& picture) {
+  if (last_time_s_) throw InputError("background: came after the first frame; expected it before, or after reset()");
+  segmenter_->load_background(picture);
 }
 
 bool Detector::push(const cv::Mat& image, double time_s, std::optional<std::int64_t> index) {
@@ -54,6 +64,7 @@ bool Detector::push(const cv::Mat& image, double time_s, std::optional<std::int6
     throw InputError("index: " + std::to_string(next_index) + " does not come after " + std::to_string(last_index_) +
                      ", the index of the frame before; indices must increase");
   }
+  if (channels_ == 0) segmenter_->check_first(image);
   size_ = image.size();
   channels_ = image.channels();
   last_time_s_ = time_s;
@@ -86,16 +97,17 @@ void Detector::detect(const Expectation& expectation, Detections& detections) {
   detections.frame_width = frame.image.cols;
   detections.frame_height = frame.image.rows;
   detections.events.clear();
-  plan(frame.image.size(), frame.time_s, expectation, detections.regions);
-  detections.pixels_read = plan_.pixels();
-  if (plan_.whole()) {
-    segmenter_->segment(frame.image, expectation, detections.mask, detections.events);
+  const bool blank = watch(frame, detections.events);
+  if (!black_ || !segmenter_->takes_gaps()) {
+    segment(frame, expectation, detections);
   } else {
-    segmenter_->segment_regions(frame.image, expectation, plan_, detections.mask, detections.events);
+    detections.regions.clear();
+    detections.pixels_read = 0;
   }
-  const bool flooded = cv::countNonZero(detections.mask) > flood * static_cast<double>(plan_.pixels());
-  look_at_all_ = !plan_.whole() && flooded && !flooded_;
-  flooded_ = flooded;
+  if (blank) {
+    detections.mask.create(frame.image.size(), CV_8UC1);
+    detections.mask.setTo(0);
+  }
   cleanup_.apply(detections.mask);
   blobs_.extract(detections.mask, frame.image, expectation, outputs_.contours, detections);
   detections.histograms.clear();
@@ -108,11 +120,25 @@ void Detector::detect(const Expectation& expectation, Detections& detections) {
   }
 }
 
+/// Reads the frame, whole or in regions.
+void Detector::segment(const TimedFrame& frame, const Expectation& expectation, Detections& detections) {
+  plan(frame.image.size(), frame.time_s, expectation, detections.regions);
+  detections.pixels_read = plan_.pixels();
+  if (plan_.whole()) {
+    segmenter_->segment(frame.image, expectation, detections.mask, detections.events);
+  } else {
+    segmenter_->segment_regions(frame.image, expectation, plan_, detections.mask, detections.events);
+  }
+  const bool flooded = cv::countNonZero(detections.mask) > flood * static_cast<double>(plan_.pixels());
+  look_at_all_ = !plan_.whole() && flooded && !flooded_;
+  flooded_ = flooded;
+}
+
 /// Turns what is expected, and the strip whose turn it is, into `plan_`, and into the list of regions read.
 void Detector::plan(const cv::Size& size, double time_s, const Expectation& expectation, std::vector<Region>& regions) {
   regions.clear();
   plan_.clear(size);
-  const bool whole = expectation.regions.empty() || segmenter_->needs_whole_frame() || look_at_all_;
+  const bool whole = !expectation.only_regions || segmenter_->needs_whole_frame() || look_at_all_;
   if (!whole) {
     regions = expectation.regions;
     for (const Region& region : regions) plan_.add(pixel_rect(region.box, size));
@@ -140,12 +166,45 @@ void Detector::add_strip(const cv::Size& size, double time_s, std::vector<Region
   strip_ = (strip_ + 1) % strip_read_s_.size();
 }
 
+/// Looks at the scene as a whole. Returns whether the mask must be empty, whatever the background model says.
+bool Detector::watch(const TimedFrame& frame, std::vector<Event>& events) {
+  black_ = false;
+  if (!guard_) return false;
+  const SceneLook look = guard_->look(frame.image, frame.time_s);
+  black_ = look.black && scene_action_ != SceneAction::report;
+  if (look.change) {
+    Event& event = events.emplace_back();
+    event.kind = EventKind::scene_changed;
+    event.text = describe(*look.change, scene_action_);
+    if (!look.black && scene_action_ != SceneAction::report) {
+      segmenter_->relearn();
+      segmenter_->push(frame.image);
+      push_waiting();
+      if (scene_action_ == SceneAction::relearn) learning_until_s_ = frame.time_s + relearn_s_;
+      return true;
+    }
+  }
+  if (learning_until_s_ && frame.time_s >= *learning_until_s_) learning_until_s_.reset();
+  return black_ || learning_until_s_;
+}
+
+void Detector::relearn_background() {
+  segmenter_->relearn();
+  push_waiting();
+}
+
+/// Models with a look-ahead were shown the frames that wait: they see them again.
+void Detector::push_waiting() {
+  for (const TimedFrame& waiting : queue_) segmenter_->push(waiting.image);
+}
+
 std::optional<Detections> Detector::process(const cv::Mat& image, double time_s, std::optional<std::int64_t> index,
                                             const std::vector<Box>& keep, const std::vector<Box>& regions) {
   if (!push(image, time_s, index)) return std::nullopt;
   Expectation expectation;
   expectation.time_s = next().time_s;
   expectation.keep = keep;
+  expectation.only_regions = !regions.empty();
   for (const Box& box : regions) expectation.regions.push_back({box, RegionKind::predicted, 0});
   Detections detections;
   detect(expectation, detections);
@@ -165,6 +224,9 @@ std::vector<Detections> Detector::finish() {
 
 void Detector::reset() {
   segmenter_->reset();
+  if (guard_) guard_->reset();
+  black_ = false;
+  learning_until_s_.reset();
   cleanup_.reset();
   queue_.clear();
   channels_ = 0;

@@ -65,6 +65,7 @@ const Expectation& Tracker::predict(double time_s, int frame_width, int frame_he
     const cv::Size size = frame_width > 0 && frame_height > 0 ? cv::Size(frame_width, frame_height) : frame_size_.value_or(cv::Size());
     regions_->check(size.width, size.height);
     expectation_.regions.clear();
+    expectation_.only_regions = size.area() > 0;
     if (size.area() > 0) regions_->plan(table_, size.width, size.height, expectation_.regions);
   }
   return expectation_;

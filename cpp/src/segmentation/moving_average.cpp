@@ -37,6 +37,7 @@ class MovingAverageSegmenter final : public Segmenter {
         history_(static_cast<std::size_t>(ahead_ + behind_ + 2)) {}
 
   int delay_frames() const override { return ahead_; }
+  bool takes_gaps() const override { return false; }
 
   void push(const cv::Mat& frame) override {
     check_image(frame);

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import survtrack
+from survtrack.cli.background import load_background
 from survtrack.cli.messages import one_line, print_error
 from survtrack.cli.progress import show_progress
 from survtrack.cli.signals import interrupted_by_signal
@@ -44,6 +45,7 @@ class Request:
     quiet: bool
     scene: Path | None = None
     path_file: Path | None = None
+    background: Path | None = None
     zones: Sequence[str] = ()
 
 
@@ -92,6 +94,7 @@ def execute(
         pipeline.load_learned_scene(read_text(request.scene), str(request.scene))
     if request.zones:
         pipeline.load_zones([zone_box(zone) for zone in request.zones])
+    load_background(pipeline, config, request.background)
     source = open_source(
         request.source,
         fps=request.fps,
@@ -159,6 +162,7 @@ def run_facts(request: Request, source: Source, summary: RunSummary) -> dict[str
         "scene": None if request.scene is None else str(request.scene),
         "path": None if request.path_file is None else str(request.path_file),
         "zones": list(request.zones),
+        "background": None if request.background is None else str(request.background),
         "complete": summary.complete,
         "error": None if summary.error is None else one_line(summary.error),
         "frames": {

@@ -9,6 +9,7 @@ import typer
 
 from survtrack._core import HornSchunckOptions
 from survtrack.cli import options
+from survtrack.cli.background import BackgroundOption
 from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.drawing import VIEW_NAMES, VIEW_OUTPUTS, Views
 from survtrack.errors import UsageError
@@ -89,6 +90,7 @@ def run(
     scene: SceneOption = None,
     path_file: PathOption = None,
     zones: options.ZoneOption = None,
+    background: BackgroundOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> int:
@@ -99,7 +101,8 @@ def run(
     """
     request = Request(
         "run", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet, scene, path_file, zones or [],
+        options.parse_size(resize), out, as_json, quiet, scene, path_file, background,
+        zones or [],
     )  # fmt: skip
     names = _view_names(video, views)
     if "path" in names and path_file is None:

@@ -5,6 +5,7 @@
 from typing import TYPE_CHECKING
 
 from survtrack.cli import options
+from survtrack.cli.background import BackgroundOption
 from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.sinks import MaskFolder, RunFolder, Sink
 from survtrack.sources import ImageSource, Source
@@ -25,6 +26,7 @@ def segment(
     limit: options.LimitOption = None,
     resize: options.ResizeOption = None,
     zones: options.ZoneOption = None,
+    background: BackgroundOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> int:
@@ -36,7 +38,8 @@ def segment(
     """
     request = Request(
         "segment", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet, zones=zones or [],
+        options.parse_size(resize), out, as_json, quiet, background=background,
+        zones=zones or [],
     )  # fmt: skip
 
     def make_sinks(folder: RunFolder, source: Source, pipeline: "Pipeline") -> list[Sink]:

@@ -37,10 +37,10 @@ cv::Mat painted(const std::vector<Run>& runs, const cv::Size& size) {
 }
 
 /// The same components, and numbered in the order of their first pixels.
-void expect_like_opencv(RunLabeller& labeller, const cv::Mat& mask) {
+void expect_like_opencv(RunLabeller& labeller, const cv::Mat& mask, int connectivity = 8) {
   const cv::Mat labels = painted(labeller.label(mask), mask.size());
   cv::Mat expected;
-  const int count = cv::connectedComponents(mask, expected, 8, CV_32S) - 1;
+  const int count = cv::connectedComponents(mask, expected, connectivity, CV_32S) - 1;
   ASSERT_EQ(labeller.count(), count) << mask.size();
   std::map<int, int> label_of;
   for (int y = 0; y < mask.rows; ++y) {
@@ -71,6 +71,28 @@ TEST(RunLabeller, NumbersComponentsByTheirFirstPixels) {
   expect_run(2, 1, 0, 2, 0);  // meets the first at a corner
   expect_run(3, 1, 4, 5, 1);
   expect_run(4, 2, 4, 5, 1);
+}
+
+TEST(RunLabeller, FourNeighboursDoNotMeetAtCorners) {
+  RunLabeller four(Connectivity::four);
+  const cv::Mat chess = mask_of({"##..", "..##", "##.."});
+  four.label(chess);
+  EXPECT_EQ(four.count(), 3);
+  RunLabeller eight;
+  eight.label(chess);
+  EXPECT_EQ(eight.count(), 1);
+  four.label(mask_of({".##.", "##..", ".##."}));
+  EXPECT_EQ(four.count(), 1);
+}
+
+TEST(RunLabeller, FourConnectedMasksAreLikeOpenCvs) {
+  RunLabeller labeller(Connectivity::four);
+  cv::RNG random(9);
+  for (int i = 0; i < 60; ++i) {
+    cv::Mat noise(random.uniform(1, 40), random.uniform(1, 150), CV_8UC1);
+    random.fill(noise, cv::RNG::UNIFORM, 0, 256);
+    expect_like_opencv(labeller, noise > random.uniform(40, 220), 4);
+  }
 }
 
 TEST(RunLabeller, JoinsWhatMeetsFurtherDown) {

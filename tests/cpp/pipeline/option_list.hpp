@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -15,7 +16,8 @@ namespace survtrack {
 
 enum class OptionType { boolean, integer, number, choice };
 
-/// One option of a config, with what must be set before it exists ("filter.model=kalman_ca", or nothing).
+/// One option of a config, with what must be set before it exists: nothing, "filter.model=kalman_ca", or several of
+/// these, one a line.
 struct ListedOption {
   std::string model;
   std::string path;
@@ -31,9 +33,10 @@ template <class Struct>
 void add(const std::string& path, const std::string& model, std::vector<ListedOption>& list);
 
 template <class Variant, std::size_t... I>
-void add_models(const std::string& path, std::vector<ListedOption>& list, std::index_sequence<I...>) {
+void add_models(const std::string& path, const std::string& outer, std::vector<ListedOption>& list,
+                std::index_sequence<I...>) {
   (add<std::variant_alternative_t<I, Variant>>(
-       path, path + ".model=" + std::variant_alternative_t<I, Variant>::model, list),
+       path, outer + (outer.empty() ? "" : "\n") + path + ".model=" + std::variant_alternative_t<I, Variant>::model, list),
    ...);
 }
 
@@ -51,7 +54,7 @@ void add(const std::string& path, const std::string& model, std::vector<ListedOp
     using Value = typename std::decay_t<decltype(f)>::value_type;
     const std::string inner = join_path(path, f.name);
     if constexpr (is_variant<Value>::value) {
-      add_models<Value>(inner, list, std::make_index_sequence<std::variant_size_v<Value>>{});
+      add_models<Value>(inner, model, list, std::make_index_sequence<std::variant_size_v<Value>>{});
     } else if constexpr (has_fields<Value>::value) {
       add<Value>(inner, model, list);
     } else {
@@ -102,7 +105,8 @@ inline std::vector<std::string> all_models() {
 /// A config in which an option exists.
 inline Config config_with(const ListedOption& option) {
   Config config;
-  if (!option.model.empty()) config.set(option.model);
+  std::istringstream models(option.model);
+  for (std::string model; std::getline(models, model);) config.set(model);
   return config;
 }
 

@@ -21,7 +21,11 @@ struct Model {
   std::string name;
   bool has_background() const { return !std::holds_alternative<HornSchunckOptions>(options); }
   /// How far foreground may reach beyond an object: each sweep carries movement a pixel further.
-  int reach_px() const { return std::holds_alternative<HornSchunckOptions>(options) ? 6 : 0; }
+  /// The pyramid's coarsest level sums over 2 of its pixels of 4 px, and is smoothed.
+  int reach_px() const {
+    if (std::holds_alternative<NormalizedDifferenceOptions>(options)) return 18;
+    return std::holds_alternative<HornSchunckOptions>(options) ? 6 : 0;
+  }
 };
 
 template <std::size_t... I>

@@ -15,7 +15,7 @@ from hypothesis.extra import numpy as arrays
 import survtrack
 from clips import Image
 from option_strategies import SECTIONS, configs, options_found, with_parts_in
-from scenes import CLASSES, MERGES, MODELS, TILINGS, answer, rows
+from scenes import CLASSES, MEASURES, MERGES, MODELS, TILINGS, answer, rows
 from survtrack import Config, Detections, InputError, NoAppearanceOptions, Pipeline, Tracker
 
 settings.register_profile("survtrack", deadline=None, derandomize=True, max_examples=200)
@@ -76,6 +76,8 @@ def test_every_option_is_varied() -> None:
             if options_class in MERGES
             else "cleanup.tiling"
             if options_class in TILINGS
+            else "scene_change.measure"
+            if options_class in MEASURES
             else {"C": "cleanup", "B": "blobs", "O": "outputs"}[options_class.__name__[0]]
         )
         expected = {
@@ -86,7 +88,8 @@ def test_every_option_is_varied() -> None:
         assert expected <= found
         found -= expected
     assert found == set()
-    assert set(SECTIONS) == {*Config().to_dict(), "blobs.merge", "cleanup.tiling"} - {"time_unit_s"}
+    inner = {"blobs.merge", "cleanup.tiling", "scene_change.measure"}
+    assert set(SECTIONS) == {*Config().to_dict(), *inner} - {"time_unit_s"}
 
 
 @given(configs(), clips(), st.data())

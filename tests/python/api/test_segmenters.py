@@ -15,7 +15,13 @@ from scenes import scene
 from survtrack import ConfigError, InputError, Segmenter
 
 CAUSAL = survtrack.MovingAverageOptions(window="causal", window_frames=20)
-MODELS = [survtrack.SelectiveOptions(), survtrack.Mog2Options(), survtrack.KnnOptions(), CAUSAL]
+MODELS = [
+    survtrack.SelectiveOptions(),
+    survtrack.Mog2Options(),
+    survtrack.KnnOptions(),
+    CAUSAL,
+    survtrack.StaticReferenceOptions(),
+]
 FRAMES = scene(60)
 
 

@@ -3,11 +3,22 @@
 
 #pragma once
 
+#include <array>
+#include <utility>
 #include <variant>
 
 #include "survtrack/core/fields.hpp"
 
 namespace survtrack {
+
+/// Which neighbours belong to the same blob.
+enum class Connectivity {
+  four,   ///< those that share an edge
+  eight,  ///< those that share an edge or a corner
+};
+constexpr auto enum_names(Connectivity) {
+  return std::array{std::pair{"four", Connectivity::four}, std::pair{"eight", Connectivity::eight}};
+}
 
 /// Joins fragments that stand above each other, up to the height of an object.
 struct FragmentMergeOptions {
@@ -63,6 +74,7 @@ struct BlobOptions {
   double min_area_px = 0.0;
   double min_area_fraction = 1e-4;
   int max_blobs = 500;
+  Connectivity connectivity = Connectivity::eight;
   MergeOptions merge;
   bool share_blobs = true;
   double share_cover = 0.5;
@@ -76,6 +88,7 @@ struct BlobOptions {
         field("min_area_fraction", &O::min_area_fraction, "", "the same, as a part of the frame's area; the larger counts",
               between(0, 1)),
         field("max_blobs", &O::max_blobs, "", "of more blobs in one frame the largest are kept", between(1, 100000)),
+        field("connectivity", &O::connectivity, "", "pixels of one region meet at an edge, or at a corner too"),
         field("merge", &O::merge, "", "which regions are one blob"),
         field("share_blobs", &O::share_blobs, "", "divide a blob that covers several expected tracks among them"),
         field("share_cover", &O::share_cover, "", "a track is covered when more than this part of its expected box is",

@@ -31,7 +31,8 @@ struct Expectation {
   std::vector<PredictedTrack> tracks;
   SceneScale scale;                    ///< how large objects are, where
   std::optional<VicinityGrid> vicinity;  ///< how much things move, where; with vicinity.model grid
-  std::vector<Region> regions;         ///< where to look; empty: the whole frame
+  bool only_regions = false;           ///< only `regions` are read, and what the detector refreshes in turn; else all is
+  std::vector<Region> regions;         ///< where to look
   std::vector<Box> keep;               ///< places that the background must not learn
 };
 

@@ -13,6 +13,7 @@
 #include "survtrack/filtering/options.hpp"
 #include "survtrack/segmentation/cleanup_options.hpp"
 #include "survtrack/segmentation/options.hpp"
+#include "survtrack/segmentation/scene_change_options.hpp"
 #include "survtrack/tracking/identity_options.hpp"
 #include "survtrack/tracking/options.hpp"
 #include "survtrack/tracking/region_options.hpp"
@@ -41,6 +42,7 @@ struct OutputOptions {
 /// All options of a pipeline. The defaults are the preset `survtrack`.
 struct Config {
   double time_unit_s = 1.0;
+  SceneChangeOptions scene_change;
   SegmenterOptions segmenter;
   CleanupOptions cleanup;
   BlobOptions blobs;
@@ -61,6 +63,7 @@ struct Config {
     return std::make_tuple(
         field("time_unit_s", &O::time_unit_s, "s",
               "the filters' unit of time; published presets: the nominal frame period", between(1e-6, 3600)),
+        field("scene_change", &O::scene_change, "", "what is done when the whole scene changes"),
         field("segmenter", &O::segmenter, "", "frame to foreground mask"),
         field("cleanup", &O::cleanup, "", "noise removal on the mask"),
         field("blobs", &O::blobs, "", "mask to detections"),

@@ -14,6 +14,7 @@
 #include "survtrack/core/expectation.hpp"
 #include "survtrack/pipeline/config.hpp"
 #include "survtrack/segmentation/cleanup.hpp"
+#include "survtrack/segmentation/scene_change.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
 
 namespace survtrack {
@@ -26,7 +27,7 @@ struct TimedFrame {
 };
 
 /// The first half: frame in, detections out (segmentation, cleanup, blobs). Usable alone, with detections
-/// going to another tracker. Options used: `segmenter`, `cleanup`, `blobs`, `regions`,
+/// going to another tracker. Options used: `scene_change`, `segmenter`, `cleanup`, `blobs`, `regions`,
 /// `appearance`, `outputs`.
 class Detector {
  public:
@@ -47,7 +48,14 @@ class Detector {
   /// The rest of a delayed model, in order. After it only `reset` is allowed.
   std::vector<Detections> finish();
 
-  /// Forgets everything; options stay.
+  /// The background picture to start from, for segmenter.model static_reference with source picture: HxW or HxWx3
+  /// (BGR) uint8 of the frames' size, copied. Before the first frame; it outlives `reset`. Throws `InputError`.
+  void load_background(const cv::Mat& picture);
+
+  /// The background is learned anew from the coming frames, on demand: a person says that the scene changed.
+  void relearn_background();
+
+  /// Forgets everything but a picture that was loaded; options stay.
   void reset();
 
   /// The steps of `process`, for loops that feed an expectation back: queue a frame (true when one is due),
@@ -64,10 +72,18 @@ class Detector {
   void detect(const Expectation& expectation, Detections& detections);
 
  private:
+  bool watch(const TimedFrame& frame, std::vector<Event>& events);
+  void push_waiting();
+  void segment(const TimedFrame& frame, const Expectation& expectation, Detections& detections);
   void plan(const cv::Size& size, double time_s, const Expectation& expectation, std::vector<Region>& regions);
   void add_strip(const cv::Size& size, double time_s, std::vector<Region>& regions);
 
   OutputOptions outputs_;
+  SceneAction scene_action_ = SceneAction::report;
+  double relearn_s_ = 0.0;
+  std::optional<SceneGuard> guard_;
+  bool black_ = false;                     ///< the frame is black: the background model does not see it
+  std::optional<double> learning_until_s_;  ///< masks are empty before this time
   std::optional<PredictedRegionsOptions> regions_;
   ReadPlan plan_;
   std::vector<double> strip_read_s_;  ///< when each strip was last read

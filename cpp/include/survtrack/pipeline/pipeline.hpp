@@ -40,7 +40,14 @@ class Pipeline {
   /// The same one by one, reusing the memory of `result`; false when all is given.
   bool finish(FrameResult& result);
 
-  /// Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.
+  /// See Detector::load_background: a picture of the empty scene.
+  void load_background(const cv::Mat& picture) { detector_.load_background(picture); }
+
+  /// See Detector::relearn_background.
+  void relearn_background() { detector_.relearn_background(); }
+
+  /// Forgets frames, tracks and all that was learned, but no picture that was loaded; the next frame is a first frame
+  /// and ids start at 1.
   void reset();
 
   /// See Tracker::learned_scene and Tracker::load_learned_scene: a camera starts with what it knows.

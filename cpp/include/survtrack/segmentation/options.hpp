@@ -9,6 +9,8 @@
 
 #include "survtrack/core/fields.hpp"
 #include "survtrack/segmentation/horn_schunck_options.hpp"
+#include "survtrack/segmentation/normalized_difference_options.hpp"
+#include "survtrack/segmentation/static_reference_options.hpp"
 
 namespace survtrack {
 
@@ -123,6 +125,7 @@ struct KnnOptions {
 };
 
 using SegmenterOptions =
-    std::variant<SelectiveOptions, MovingAverageOptions, HornSchunckOptions, Mog2Options, KnnOptions>;
+    std::variant<SelectiveOptions, MovingAverageOptions, HornSchunckOptions, Mog2Options, KnnOptions,
+                 StaticReferenceOptions, NormalizedDifferenceOptions>;
 
 }  // namespace survtrack

@@ -48,7 +48,21 @@ class Segmenter {
   /// there is none, and always for a model that finds none.
   virtual void flow(cv::Mat& field) const { field.release(); }
 
-  /// Forgets everything: the next frame is a first frame.
+  /// The background picture to start from, of the frames' size and channel count; before the first frame. It is
+  /// copied and outlives `reset`. Throws `InputError` for a model or options that take none, and for no image.
+  virtual void load_background(const cv::Mat& picture);
+
+  /// Throws `InputError` when a run cannot start with this frame: a picture is missing, or is of another format.
+  virtual void check_first(const cv::Mat& frame) const { static_cast<void>(frame); }
+
+  /// Whether frames may be left out between two that are segmented. False: every frame that is pushed must be.
+  virtual bool takes_gaps() const { return delay_frames() == 0; }
+
+  /// The scene changed: learns the background anew from the coming frames; frames that were pushed and not yet
+  /// segmented are pushed again.
+  virtual void relearn() { reset(); }
+
+  /// Forgets everything but a picture that was loaded: the next frame is a first frame.
   virtual void reset() = 0;
 };
 
