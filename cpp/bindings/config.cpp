@@ -3,12 +3,37 @@
 
 #include "options_class.hpp"
 
+#include <optional>
 #include <string_view>
 
 #include "survtrack/core/errors.hpp"
 #include "survtrack/pipeline/config.hpp"
 
 namespace survtrack::bindings {
+namespace {
+
+constexpr Py_ssize_t longest_list = 1000;  // no option takes one as long; a range may have any length
+
+/// The entries of a list, tuple, array of one dimension or other sequence; nothing for what is none. What is no number
+/// among them, another list too, becomes its text, which no option takes.
+std::optional<Json> list_of_sequence(const py::handle& value) {
+  if (PySequence_Check(value.ptr()) == 0 || py::isinstance<py::bytes>(value)) return std::nullopt;
+  const Py_ssize_t size = PySequence_Size(value.ptr());
+  if (size < 0 || size > longest_list) {  // numpy's arrays without dimensions have no size
+    PyErr_Clear();
+    return std::nullopt;
+  }
+  Json list = Json::array();
+  for (Py_ssize_t i = 0; i < size; ++i) {
+    const auto entry = py::reinterpret_steal<py::object>(PySequence_GetItem(value.ptr(), i));
+    if (!entry) throw py::error_already_set();
+    const bool is_list = PySequence_Check(entry.ptr()) != 0 && !py::isinstance<py::str>(entry);
+    list.push_back(is_list ? Json(std::string(py::repr(entry))) : json_of(entry));
+  }
+  return list;
+}
+
+}  // namespace
 
 Json json_of(const py::handle& value) {
   if (value.is_none()) return nullptr;
@@ -23,6 +48,7 @@ Json json_of(const py::handle& value) {
     }
     return object;
   }
+  if (const auto list = list_of_sequence(value)) return *list;
   // numpy's numbers pass too: they have __index__ or __float__. Its arrays have both, and may refuse.
   if (const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))) {
     int overflow = 0;
@@ -47,6 +73,11 @@ py::object object_of(const Json& json) {
     py::dict dict;
     for (const auto& [key, item] : json.items()) dict[py::str(key)] = object_of(item);
     return dict;
+  }
+  if (json.is_array()) {
+    py::tuple tuple(json.size());
+    for (std::size_t i = 0; i < json.size(); ++i) tuple[i] = object_of(json[i]);
+    return tuple;
   }
   return py::none();
 }

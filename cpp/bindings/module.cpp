@@ -34,14 +34,14 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_scene_change(module);
   bindings::bind_tiling(module);
   bindings::bind_flow(module);
-  bindings::bind_filtering(module);
   bindings::bind_filters(module);
   bindings::bind_association(module);
   bindings::bind_beliefs(module);
-  bindings::bind_pipeline(module);
   bindings::bind_offline(module);
   bindings::bind_patterns(module);
   bindings::bind_paths(module);
+  bindings::bind_filtering(module);
+  bindings::bind_pipeline(module);
   bindings::bind_regions(module);
   bindings::bind_appearance(module);
 }

@@ -33,6 +33,9 @@ void bind_options(py::module_& module) {
   bind_model_options<KalmanCvOptions>(module, "KalmanCvOptions");
   bind_model_options<KalmanCaOptions>(module, "KalmanCaOptions");
   bind_model_options<MeanVelocityOptions>(module, "MeanVelocityOptions");
+  bind_model_options<KalmanDiscreteOptions>(module, "KalmanDiscreteOptions");
+  bind_model_options<KalmanBoxOptions>(module, "KalmanBoxOptions");
+  bind_model_options<KalmanPathOptions>(module, "KalmanPathOptions");
   bind_model_options<BoxCenterOptions>(module, "BoxCenterOptions");
   bind_model_options<CentroidOptions>(module, "CentroidOptions");
   bind_model_options<GaussianCostOptions>(module, "GaussianCostOptions");
@@ -44,10 +47,12 @@ void bind_options(py::module_& module) {
   bind_model_options<HungarianOptions>(module, "HungarianOptions");
   bind_model_options<OldestFirstOptions>(module, "OldestFirstOptions");
   bind_model_options<RowOrderOptions>(module, "RowOrderOptions");
+  bind_model_options<LargestOptions>(module, "LargestOptions");
   bind_model_options<ConfirmAndLoseOptions>(module, "ConfirmAndLoseOptions");
   bind_model_options<LostCountOptions>(module, "LostCountOptions");
   bind_model_options<CountMedianOptions>(module, "CountMedianOptions");
   bind_model_options<RegionGrowthOptions>(module, "RegionGrowthOptions");
+  bind_model_options<SingleLargestOptions>(module, "SingleLargestOptions");
   bind_model_options<NoGroupsOptions>(module, "NoGroupsOptions");
   bind_model_options<SharedBlobOptions>(module, "SharedBlobOptions");
   bind_model_options<NoReentryOptions>(module, "NoReentryOptions");

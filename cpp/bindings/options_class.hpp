@@ -5,6 +5,7 @@
 
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "bindings.hpp"
 #include "core/options_json.hpp"
@@ -60,9 +61,19 @@ std::string python_type() {
     return "int";
   } else if constexpr (std::is_floating_point_v<Value>) {
     return "float";
+  } else if constexpr (is_number_list<Value>::value) {
+    std::string text = "tuple[float";
+    for (std::size_t i = 1; i < std::tuple_size_v<Value>; ++i) text += ", float";
+    return text + "]";
   } else {
     return "str";
   }
+}
+
+/// The type that it is given as: a list of numbers may be any sequence.
+template <class Value>
+std::string keyword_type() {
+  return is_number_list<Value>::value ? "collections.abc.Sequence[float]" : python_type<Value>();
 }
 
 /// "name: meaning [unit], allowed" for each field, as the Args section of a docstring.
@@ -78,6 +89,8 @@ std::string arguments_doc() {
       for (const auto& entry : enum_names(Value{})) out << " \"" << entry.first << "\"";
     } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       out << "; " << describe(f.bounds);
+    } else if constexpr (is_number_list<Value>::value) {
+      out << "; " << describe(f.bounds, std::tuple_size_v<Value>);
     }
     out << "\n";
   });
@@ -92,7 +105,7 @@ std::string keyword_signature() {
   bool first = true;
   for_each_field<Struct>([&](const auto& f) {
     using Value = typename std::decay_t<decltype(f)>::value_type;
-    out << (first ? "*, " : ", ") << f.name << ": " << python_type<Value>() << " = ";
+    out << (first ? "*, " : ", ") << f.name << ": " << keyword_type<Value>() << " = ";
     first = false;
     if constexpr (is_variant<Value>::value || has_fields<Value>::value) {
       out << "...";

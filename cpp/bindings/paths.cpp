@@ -140,6 +140,13 @@ void bind_path(py::module_& module) {
       .def("velocities", &velocities, py::arg("points"), py::arg("velocities_px_per_s"),
            "Nx2 (dS/dt, dT/dt) in px/s of points that move, both Nx2: ds/dt = (v . tangent) / (1 - T / radius), the divisor\n"
            "kept above 0.01. NaN as of to_path().")
+      .def("stretches", [](const Path& p, const py::object& places) {
+            const Numbers rows = rows_of(places, "places");
+            py::array_t<double> array(rows.shape(0));
+            for (py::ssize_t i = 0; i < rows.shape(0); ++i) array.mutable_at(i) = p.stretch(values_of<PathPosition>(rows)[i]);
+            return array;
+          }, py::arg("places"),
+          "How far points at Nx2 places (S, T) move along for each px of S: 1 - T / radius, kept between 0.01 and 100.")
       .def("tangents", [](const Path& p, const Numbers& s) { return directions(p, s, &Path::tangent); }, py::arg("s_px"),
            "Nx2, of length 1: where the path goes at each S; at a corner the mean of both directions.")
       .def("normals", [](const Path& p, const Numbers& s) { return directions(p, s, &Path::normal); }, py::arg("s_px"),

@@ -99,7 +99,12 @@ void bind_whole(py::module_& module) {
           },
           py::arg("json"), py::arg("source") = "scene",
           "Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,\n"
-          "naming source and the entry, and then keeps its state.");
+          "naming source and the entry, and then keeps its state.")
+      .def("load_paths", [](PyPipeline& self, const Paths& paths) { self.run([&](Pipeline& s) { s.load_paths(paths); }); },
+           py::arg("paths"),
+           "The paths that filter.model kalman_path follows objects along; other filters leave them aside. reset() keeps\n"
+           "them. Raises InputError when there are none, they are drawn on frames of another size, or frames were processed\n"
+           "already.");
 }
 
 void bind_detector(py::module_& module) {
@@ -196,7 +201,12 @@ void bind_tracker(py::module_& module) {
           },
           py::arg("json"), py::arg("source") = "scene",
           "Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,\n"
-          "naming source and the entry, and then keeps its state.");
+          "naming source and the entry, and then keeps its state.")
+      .def("load_paths", [](PyTracker& self, const Paths& paths) { self.run([&](Tracker& s) { s.load_paths(paths); }); },
+           py::arg("paths"),
+           "The paths that filter.model kalman_path follows objects along; other filters leave them aside. reset() keeps\n"
+           "them. Raises InputError when there are none, they are drawn on frames of another size, or frames were processed\n"
+           "already.");
 }
 
 }  // namespace

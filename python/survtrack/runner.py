@@ -13,7 +13,7 @@ from survtrack.errors import InputError, UsageError
 from survtrack.sources import ArraySource, Prefetch, open_source
 
 if TYPE_CHECKING:
-    from survtrack._core import Config, FrameResult, Pipeline
+    from survtrack._core import Config, FrameResult, Paths, Pipeline
     from survtrack.sinks import Sink
     from survtrack.sources import Frame, Source
 
@@ -236,6 +236,7 @@ def track(
     step: int = 1,
     limit: int | None = None,
     resize: tuple[int, int] | None = None,
+    paths: "Paths | None" = None,
 ) -> "Iterator[tuple[Frame, FrameResult]]":
     """Track what moves in a video, a folder or glob of images, an iterable of arrays or a Source.
 
@@ -247,18 +248,21 @@ def track(
             that is open already, such as one of your own class, takes none of the options.
         preset: name of a preset; not looked at when `config` is given.
         config: what to run instead of a preset.
+        paths: those of the scene, which filter.model kalman_path needs; others leave them aside.
 
     Returns:
         An iterator of (frame, result); frame is the one that the result belongs to. What the
         source raises comes after the results of the frames before it.
 
     Raises:
-        InputError: the source cannot be read.
+        InputError: the source cannot be read; the paths cannot be used.
         UsageError: a bad option, or any of source's options with one that is open already.
     """
     import survtrack
 
     pipeline = survtrack.Pipeline(config or survtrack.preset(preset))
+    if paths is not None:
+        pipeline.load_paths(paths)
     frames = open_source(source, fps=fps, start=start, step=step, limit=limit, resize=resize)
     refuse_endless_delay(frames, pipeline)
     return _pairs(frames, pipeline)

@@ -19,7 +19,8 @@ ROW = re.compile(r"^\| `([\w.]+)` \| `([^`]*)` \| [^|]* \| ([^|]*) \|")
 RANGE = re.compile(
     r"^(?:(above|at least|between) (\S+?))(?: and (?:at most )?(\S+?))?(, 0 or odd)?$"
 )
-READ_REGIONS = ("selective",)
+READ_REGIONS = ("selective", "static_reference")
+LIST = re.compile(r"^(\d+) numbers, each (.*)$")
 LARGEST = 1e300  # of options without an upper bound
 
 Strategy = st.SearchStrategy[Any]
@@ -32,6 +33,10 @@ def strategy(default: Any, allowed: str) -> Strategy:
         return st.booleans()
     if isinstance(default, str):
         return st.sampled_from(allowed.split(", "))
+    if isinstance(default, list):
+        listed = LIST.match(allowed)
+        assert listed and int(listed[1]) == len(default), allowed
+        return st.tuples(*(strategy(number, listed[2]) for number in default))
     found = RANGE.match(allowed)
     assert found, allowed
     above, low, high = found[1] == "above", float(found[2]), float(found[3] or LARGEST)
@@ -112,7 +117,43 @@ def sections_agree(config: survtrack.Config) -> bool:
         # A config alone says nothing of zones.
         if regions.acquisition == "zones":
             return False
+    discrete = isinstance(config.filter, survtrack.KalmanDiscreteOptions)
+    if discrete and not is_covariance(config.filter, config.cost.model == "gaussian"):
+        return False
+    if config.filter.model == "kalman_box" and config.measurement.model != "box_center":
+        return False
     return config.cost.model != "gaussian" or config.filter.model != "mean_velocity"
+
+
+def is_covariance(options: survtrack.KalmanDiscreteOptions, needed: bool) -> bool:
+    """Whether the filter takes its R, where a cost may need that to be positive definite."""
+    if options.covariances == "as_published":
+        return not needed
+    xx, xy, yy = options.measurement_covariance
+    return xx >= 1e-12 and yy >= 1e-12 and (xy / xx) * (xy / yy) <= 1 - 1e-6
+
+
+def with_covariance(config: survtrack.Config) -> survtrack.Config:
+    """The config with an R of its filter that is one: few triples of numbers are."""
+    options = config.filter
+    if isinstance(options, survtrack.KalmanDiscreteOptions) and options.covariances == "checked":
+        xx, xy, yy = options.measurement_covariance
+        xx, yy = max(abs(xx), 1e-9), max(abs(yy), 1e-9)
+        most = 0.99 * min(xx, yy)
+        R = (xx, min(max(xy, -most), most), yy)
+        config.filter = options.replace(measurement_covariance=R)
+    return config
+
+
+def with_paths(
+    stage: survtrack.Pipeline | survtrack.Tracker, config: survtrack.Config, size: tuple[int, int]
+) -> None:
+    """Load the paths that a filter along paths needs: two lines across a (width, height) frame."""
+    if config.filter.model == "kalman_path":
+        (width, height), limit = size, {"max_distance_px": 1e9}
+        lines = {"down": [(0, 0), (width, height)], "up": [(0, height), (width, 0)]}
+        paths = {name: survtrack.Path(points, **limit) for name, points in lines.items()}
+        stage.load_paths(survtrack.Paths(paths, size))
 
 
 def configs() -> st.SearchStrategy[survtrack.Config]:
@@ -120,7 +161,9 @@ def configs() -> st.SearchStrategy[survtrack.Config]:
     chosen = st.fixed_dictionaries({name: parts(name) for name in SECTIONS if "." not in name})
     time_unit_s = st.floats(1e-6, 3600)
     return st.builds(
-        lambda unit, options: with_reach(survtrack.Config(time_unit_s=unit, **options)),
+        lambda unit, options: with_covariance(
+            with_reach(survtrack.Config(time_unit_s=unit, **options))
+        ),
         time_unit_s,
         chosen,
     ).filter(sections_agree)

@@ -26,6 +26,10 @@ std::string describe(const Bounds& bounds) {
   return text.str();
 }
 
+std::string describe(const Bounds& bounds, std::size_t count) {
+  return std::to_string(count) + " numbers, each " + describe(bounds);
+}
+
 bool allows(const Bounds& bounds, double value) {
   if (value < bounds.low || value > bounds.high || (bounds.above_low && value == bounds.low)) return false;
   return !bounds.odd_or_zero || value == 0.0 || std::fmod(value, 2.0) == 1.0;

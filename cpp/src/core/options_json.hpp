@@ -134,8 +134,11 @@ void assign_value(Value& value, const Json& json, const Bounds& bounds, const st
       refuse_number(path, number, bounds);
     }
     value = json.get<Value>();
+  } else if constexpr (is_number_list<Value>::value) {
+    if (!json.is_array() || json.size() != value.size()) refuse(path, json, describe(bounds, value.size()));
+    for (std::size_t i = 0; i < value.size(); ++i) assign_value(value[i], json[i], bounds, join_path(path, i));
   } else {
-    static_assert(std::is_same_v<Value, double>, "options are bool, int, double, enum, struct or variant");
+    static_assert(std::is_same_v<Value, double>, "options are bool, int, double, lists of these, enum, struct or variant");
     if (!json.is_number()) refuse(path, json, "a number, " + describe(bounds));
     const double number = json.get<double>();
     if (!std::isfinite(number) || !allows(bounds, number)) refuse_number(path, number, bounds);

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "survtrack/filtering/box_bank.hpp"
+#include "survtrack/filtering/discrete_bank.hpp"
 #include "survtrack/filtering/kalman_bank.hpp"
 #include "survtrack/filtering/mean_velocity_bank.hpp"
 #include "survtrack/filtering/motion_model.hpp"
@@ -146,12 +148,23 @@ struct MakeBank {
   std::unique_ptr<FilterBank> operator()(const MeanVelocityOptions& o) const {
     return std::make_unique<MeanVelocityBank>(o);
   }
+  std::unique_ptr<FilterBank> operator()(const KalmanDiscreteOptions& o) const { return std::make_unique<DiscreteBank>(o); }
+  std::unique_ptr<FilterBank> operator()(const KalmanBoxOptions& o) const { return std::make_unique<BoxBank>(o); }
+  std::unique_ptr<FilterBank> operator()(const KalmanPathOptions&) const {
+    throw ConfigError("filter.model: \"kalman_path\" needs paths, which this bank has no place for; expected another, or a "
+                      "PathBank");
+  }
 };
 
 }  // namespace
 
+void check_filter(const FilterOptions& options, const std::string& path) {
+  std::visit([&](const auto& o) { check_fields(o, path); }, options);
+  if (const auto* discrete = std::get_if<KalmanDiscreteOptions>(&options)) check_measurement_covariance(*discrete, path);
+}
+
 std::unique_ptr<FilterBank> make_filter_bank(const FilterOptions& options) {
-  std::visit([](const auto& o) { check_fields(o, "filter"); }, options);
+  check_filter(options, "filter");
   return std::visit(MakeBank{}, options);
 }
 

@@ -8,6 +8,7 @@
 #include "core/options_json.hpp"
 #include "core/toml.hpp"
 #include "pipeline/embedded_presets.hpp"
+#include "survtrack/filtering/filter_bank.hpp"
 
 namespace survtrack {
 namespace {
@@ -145,9 +146,20 @@ std::string Config::to_json() const { return options_json::struct_to_json(*this)
 const Config& Config::check() const {
   check_fields(*this);
   check_tiling(cleanup.tiling, "cleanup.tiling");
+  check_filter(filter, "filter");
   if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
     throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
                       "expected cost.model match_matrix, belief or distance, or filter.model kalman_cv or kalman_ca");
+  }
+  const auto* discrete = std::get_if<KalmanDiscreteOptions>(&filter);
+  if (discrete != nullptr && discrete->covariances == Covariances::as_published &&
+      std::holds_alternative<GaussianCostOptions>(cost)) {
+    throw ConfigError("cost.model: \"gaussian\" needs a covariance, and filter.covariances is \"as_published\"; expected "
+                      "cost.model match_matrix, belief or distance, or filter.covariances checked");
+  }
+  if (std::holds_alternative<KalmanBoxOptions>(filter) && !std::holds_alternative<BoxCenterOptions>(measurement)) {
+    throw ConfigError("measurement.model: \"centroid\" measures no box, and filter.model is \"kalman_box\"; expected "
+                      "measurement.model box_center, or another filter.model");
   }
   const auto* close = std::get_if<CloseMergeOptions>(&blobs.merge);
   const bool has_grid = std::holds_alternative<GridVicinityOptions>(vicinity);

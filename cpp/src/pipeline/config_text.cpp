@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <sstream>
+#include <tuple>
 
 #include "core/options_json.hpp"
 #include "survtrack/pipeline/config.hpp"
@@ -24,6 +25,8 @@ std::string allowed(const Bounds& bounds) {
     return text;
   } else if constexpr (std::is_same_v<Value, bool>) {
     return "true, false";
+  } else if constexpr (is_number_list<Value>::value) {
+    return describe(bounds, std::tuple_size_v<Value>);
   } else {
     return describe(bounds);
   }

@@ -72,6 +72,7 @@ const Expectation& Tracker::predict(double time_s, int frame_width, int frame_he
 }
 
 void Tracker::check_frame_size(int width, int height) const {
+  table_.check_frame_size(width, height);
   if (vicinity_) vicinity_->check(width, height);
   if (regions_) regions_->check(width, height);
   if (matcher_.belief()) matcher_.belief()->check(width, height);
@@ -125,6 +126,7 @@ void Tracker::update(const Detections& detections, TrackingResult& result) {
   }
   predicted_ = false;
   if (detections.frame_width > 0 && detections.frame_height > 0) frame_size_ = cv::Size(detections.frame_width, detections.frame_height);
+  table_.set_frame_size(detections.frame_width, detections.frame_height);
   matcher_.match(table_, detections, result.matches);
   if (groups_) groups_->update(table_, detections, result.matches);
   was_lost_.assign(static_cast<std::size_t>(table_.size()), 0);
@@ -189,6 +191,17 @@ void Tracker::report(const Detections& detections, TrackingResult& result) {
     result.vicinity.clear();
     for (const auto& [class_id, learned] : vicinity_->learned()) result.vicinity[class_id] = learned.grid;
   }
+}
+
+void Tracker::load_paths(const Paths& paths) {
+  if (last_time_s_) throw InputError("paths: frames were processed already; expected paths before the first, or after reset()");
+  const cv::Size drawn(paths.frame_width, paths.frame_height);
+  if (frame_size_ && drawn.area() > 0 && drawn != *frame_size_) {
+    throw InputError("paths.frame_size: " + std::to_string(drawn.width) + "x" + std::to_string(drawn.height) +
+                     " px is not that of the learned scene, " + std::to_string(frame_size_->width) + "x" +
+                     std::to_string(frame_size_->height) + " px; expected the same");
+  }
+  table_.set_paths(paths);
 }
 
 TrackingResult Tracker::process(const Detections& detections) {

@@ -20,7 +20,8 @@ int CountMedian::median_with(int count) {
 
 void CountMedian::update(TrackTable& table, const Detections& detections, const Matches& matches) {
   // Of contacts that share a blob each counts.
-  int seen = static_cast<int>(detections.items.size());
+  int seen = 0;
+  for (const Detection& detection : detections.items) seen += table.accepts(detection);
   for (int i = 0; i < table.size(); ++i) {
     seen += table.row(i).track.group != 0 && matches.detection_of_track[static_cast<std::size_t>(i)] < 0;
   }
@@ -71,7 +72,7 @@ void CountMedian::close_missing(TrackTable& table, int surplus) {
 void CountMedian::start_newcomers(TrackTable& table, const Detections& detections, const Matches& matches, int places) {
   chosen_.clear();
   for (std::size_t d = 0; d < detections.items.size(); ++d) {
-    if (matches.track_of_detection[d] < 0) chosen_.push_back(static_cast<int>(d));
+    if (matches.track_of_detection[d] < 0 && table.accepts(detections.items[d])) chosen_.push_back(static_cast<int>(d));
   }
   const auto area = [&](int d) { return detections.items[static_cast<std::size_t>(d)].area_px; };
   std::stable_sort(chosen_.begin(), chosen_.end(), [&](int a, int b) { return area(a) > area(b); });

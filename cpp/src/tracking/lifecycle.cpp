@@ -5,6 +5,7 @@
 
 #include "tracking/count_median.hpp"
 #include "tracking/region_growth.hpp"
+#include "tracking/single_largest.hpp"
 
 namespace survtrack {
 namespace {
@@ -25,7 +26,9 @@ class ConfirmAndLose final : public Lifecycle {
       }
     }
     for (int d = 0; d < static_cast<int>(detections.items.size()); ++d) {
-      if (matches.track_of_detection[static_cast<std::size_t>(d)] < 0 && !inside_a_track(table, open, d, detections)) {
+      const auto at = static_cast<std::size_t>(d);
+      if (matches.track_of_detection[at] < 0 && table.accepts(detections.items[at]) &&
+          !inside_a_track(table, open, d, detections)) {
         try_to_believe(table, table.start(d, detections), detections);
       }
     }
@@ -90,7 +93,7 @@ class LostCount final : public Lifecycle {
       table.set_reported(i, status == TrackStatus::confirmed);
     }
     for (std::size_t d = 0; d < detections.items.size(); ++d) {
-      if (matches.track_of_detection[d] >= 0) continue;
+      if (matches.track_of_detection[d] >= 0 || !table.accepts(detections.items[d])) continue;
       const int i = table.start(static_cast<int>(d), detections);
       table.believe(i);
       table.set_reported(i, true);
@@ -108,6 +111,9 @@ struct MakeLifecycle {
   std::unique_ptr<Lifecycle> operator()(const LostCountOptions& o) const { return std::make_unique<LostCount>(o); }
   std::unique_ptr<Lifecycle> operator()(const CountMedianOptions& o) const { return std::make_unique<CountMedian>(o); }
   std::unique_ptr<Lifecycle> operator()(const RegionGrowthOptions& o) const { return std::make_unique<RegionGrowth>(o); }
+  std::unique_ptr<Lifecycle> operator()(const SingleLargestOptions& o) const {
+    return std::make_unique<SingleLargest>(o);
+  }
 };
 
 }  // namespace

@@ -23,12 +23,11 @@ struct FillCosts {
   void operator()(const GaussianCostOptions& o) const {
     for (int r = 0; r < costs.rows(); ++r) {
       const OpenTrack& row = table.row(r);
-      const Point predicted = table.predicted_position(r);
       const Symmetric2 S = table.innovation_covariance_px2(r);
       for (int c = 0; c < costs.columns(); ++c) {
         const Observation seen = table.observe(r, detections.items[static_cast<std::size_t>(c)]);
         const Symmetric2& extra = seen.extra_px2;
-        const Innovation innovation{seen.position - predicted, {S.xx + extra.xx, S.xy + extra.xy, S.yy + extra.yy}};
+        const Innovation innovation{table.innovation(r, seen.position), {S.xx + extra.xx, S.xy + extra.xy, S.yy + extra.yy}};
         costs(r, c) = gaussian_cost(o, innovation, row.width_px * row.height_px);
       }
     }
@@ -81,6 +80,7 @@ void Matcher::match(const TrackTable& table, const Detections& detections, Match
   const auto columns = static_cast<int>(detections.items.size());
   costs_.resize(rows, columns);
   std::visit(FillCosts{table, detections, belief_, costs_}, cost_);
+  refuse_foreign(table, detections);
   add_appearance(table, detections);
   assign_rows(table, detections, matches.detection_of_track);
   matches.track_of_detection.assign(static_cast<std::size_t>(columns), -1);
@@ -108,6 +108,34 @@ void Matcher::add_appearance(const TrackTable& table, const Detections& detectio
   }
 }
 
+/// What the filters cannot take for an object is nobody's.
+void Matcher::refuse_foreign(const TrackTable& table, const Detections& detections) {
+  for (int c = 0; c < costs_.columns(); ++c) {
+    if (table.accepts(detections.items[static_cast<std::size_t>(c)])) continue;
+    for (int r = 0; r < costs_.rows(); ++r) costs_(r, c) = CostMatrix::gated;
+  }
+}
+
+/// Of equally large ones the first.
+void Matcher::assign_largest(const Detections& detections, Assignment& assignment) {
+  assignment.assign(static_cast<std::size_t>(costs_.rows()), -1);
+  rows_.assign(detections.items.size(), 0);  // whether a detection is taken
+  for (int r = 0; r < costs_.rows(); ++r) {
+    int best = -1;
+    double largest = 0.0;
+    for (int c = 0; c < costs_.columns(); ++c) {
+      const auto at = static_cast<std::size_t>(c);
+      const double area = detections.items[at].area_px;
+      if (rows_[at] != 0 || std::isinf(costs_(r, c)) || (best >= 0 && !(area > largest))) continue;
+      best = c;
+      largest = area;
+    }
+    if (best < 0) continue;
+    rows_[static_cast<std::size_t>(best)] = 1;
+    assignment[static_cast<std::size_t>(r)] = best;
+  }
+}
+
 /// Topmost detections first, of equally high ones the leftmost; pairs that the gate refuses stay apart.
 void Matcher::assign_in_row_order(const Detections& detections, Assignment& assignment) {
   rows_.resize(detections.items.size());
@@ -127,6 +155,10 @@ void Matcher::assign_in_row_order(const Detections& detections, Assignment& assi
 void Matcher::assign_rows(const TrackTable& table, const Detections& detections, Assignment& assignment) {
   if (std::holds_alternative<OldestFirstOptions>(assignment_)) {
     assignment = assign_oldest_first(costs_);
+    return;
+  }
+  if (std::holds_alternative<LargestOptions>(assignment_)) {
+    assign_largest(detections, assignment);
     return;
   }
   if (std::holds_alternative<RowOrderOptions>(assignment_) && costs_.rows() == costs_.columns()) {

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t chunk = 256;  // points whose nearest chords are found in one go, on the stack
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double least_divisor = 0.01;
+constexpr double largest_stretch = 100.0;
 
 Point left_to_right(const Point& tangent) { return {-tangent.y, tangent.x}; }
 
@@ -98,6 +99,13 @@ PathPosition Path::velocity(const Point& point, const Point& velocity_px_per_s) 
   const double divisor = 1.0 - shape_->curvature(spot) * cross(frame.tangent, off);
   return {dot(frame.tangent, velocity_px_per_s) / std::max(divisor, least_divisor),
           cross(frame.tangent, velocity_px_per_s)};
+}
+
+double Path::stretch(const PathPosition& place) const {
+  check("place", 0, place.s_px, place.t_px);
+  const bool beyond = !closed() && (place.s_px < 0.0 || place.s_px > length_px());  // there it goes straight on
+  const double curvature = beyond ? 0.0 : shape_->curvature(shape_->spot_at(place.s_px));
+  return std::clamp(1.0 - curvature * place.t_px, least_divisor, largest_stretch);
 }
 
 Point Path::tangent(double s_px) const {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "survtrack/tracking/path_bank.hpp"
+
 namespace survtrack {
 namespace {
 
@@ -22,12 +24,28 @@ double way_into(double low, double length, double from, double whole) {
   return std::clamp(low, from, from + whole - length) - low;
 }
 
+std::unique_ptr<FilterBank> make_bank(const FilterOptions& filter) {
+  if (const auto* path = std::get_if<KalmanPathOptions>(&filter)) return std::make_unique<PathBank>(*path);
+  return make_filter_bank(filter);
+}
+
+/// Variances that a share adds to a measured size: what differs from the known one is less certain.
+BoxSize share_px2(const Detection& detection, const OpenTrack& row) {
+  if (!detection.shared) return {};
+  const double width = detection.box.width - row.width_px, height = detection.box.height - row.height_px;
+  return {width * width, height * height};
+}
+
 }  // namespace
 
 TrackTable::TrackTable(const FilterOptions& filter, const MeasurementOptions& measurement, const ReentryOptions& reentry,
                        double time_unit_s)
-    : measurement_(measurement), filters_(make_filter_bank(filter)), time_unit_s_(time_unit_s) {
+    : measurement_(measurement), filters_(make_bank(filter)), time_unit_s_(time_unit_s) {
   if (const auto* remember = std::get_if<RememberOptions>(&reentry)) memory_.emplace(*remember);
+}
+
+void TrackTable::set_paths(const Paths& paths) {
+  if (auto* bank = dynamic_cast<PathBank*>(filters_.get())) bank->set_paths(paths);
 }
 
 void TrackTable::predict(double time_s) {
@@ -38,6 +56,7 @@ void TrackTable::predict(double time_s) {
   for (int i = 0; i < size(); ++i) {
     OpenTrack& row = rows_[static_cast<std::size_t>(i)];
     row.track.predicted_position = filters_->predicted_position(i);
+    follow_size(i);
     row.track.detection = -1;
   }
   find_near();
@@ -78,7 +97,9 @@ void TrackTable::match(int i, int detection, const Detections& detections) {
   row.step_s = detections.time_s - row.seen_time_s;
   row.seen_time_s = detections.time_s;
   filters_->correct(i, observation.position, observation.extra_px2);
+  filters_->correct_size(i, {seen.box.width, seen.box.height}, share_px2(seen, row));
   learn_size(measurement_, row, seen, dt_s_);
+  follow_size(i);
   filters_->set_object_size(i, row.size_px());
   if (histogram_rate_ && !seen.shared) {
     survtrack::refresh(histograms_[static_cast<std::size_t>(i)], detections.histograms[static_cast<std::size_t>(detection)], *histogram_rate_);
@@ -136,6 +157,8 @@ void TrackTable::miss(int i) {
 void TrackTable::restart(int i) {
   OpenTrack& row = rows_[static_cast<std::size_t>(i)];
   filters_->restart(i, row.seen_position, row.size_px());
+  filters_->start_size(i, {row.seen.width, row.seen.height});
+  follow_size(i);
   row.step_px = {};
   row.step_s = 0.0;
   refresh(i);
@@ -155,7 +178,7 @@ int TrackTable::start(int detection, const Detections& detections) {
   row.track.matched_frames = 1;
   row.track.start_index = row.track.end_index = detections.index;
   row.track.start_time_s = row.track.end_time_s = row.seen_time_s = detections.time_s;
-  filters_->add(row.start_position, row.size_px());
+  filters_->start_size(filters_->add(row.start_position, row.size_px()), {seen.box.width, seen.box.height});
   rows_.push_back(row);
   if (histogram_rate_) histograms_.push_back(detections.histograms[static_cast<std::size_t>(detection)]);
   refresh(size() - 1);
@@ -212,6 +235,14 @@ void TrackTable::refresh(int i) {
   row.track.velocity_px_per_s = (1.0 / time_unit_s_) * now.velocity;
   row.track.position_covariance_px2 = now.covariance_px2;
   row.track.box = box_at(measurement_, row, now.position);
+}
+
+void TrackTable::follow_size(int i) {
+  const std::optional<BoxSize> size = filters_->box_size(i);
+  if (!size) return;
+  OpenTrack& row = rows_[static_cast<std::size_t>(i)];
+  row.width_px = size->width_px;
+  row.height_px = size->height_px;
 }
 
 }  // namespace survtrack

@@ -21,7 +21,7 @@ from survtrack.sources import Prefetch, Source, open_source
 from survtrack.sources.opening import bytes_of_files
 
 if TYPE_CHECKING:
-    from survtrack._core import Config, Pipeline
+    from survtrack._core import Config, Paths, Pipeline
 
 INTERRUPTED = 130
 
@@ -79,17 +79,25 @@ def execute(
     config: "Config",
     make_sinks: Callable[[RunFolder, Source, "Pipeline"], list[Sink]],
     check: Callable[[Source], None] | None = None,
+    paths: "Paths | None" = None,
 ) -> int:
     """Run it all and print the summary; returns the exit code of an interrupted run, else 0.
 
     check is called with the first result, before anything is written: the size of the frames is
-    known by then.
+    known by then. paths are loaded into the pipeline.
 
     Raises:
         SurvtrackError, OSError: what went wrong. Before the first result the folder is as it was;
             later what was seen before is in it, and run.json says that it is not complete.
     """
     pipeline = survtrack.Pipeline(config)
+    if paths is not None:
+        pipeline.load_paths(paths)
+    elif config.filter.model == "kalman_path":
+        raise UsageError(
+            'filter.model "kalman_path": follows objects along paths; add --path FILE to '
+            "`survtrack run`, or choose another filter"
+        )
     if request.scene is not None:
         pipeline.load_learned_scene(read_text(request.scene), str(request.scene))
     if request.zones:

@@ -55,7 +55,8 @@ PathOption = Annotated[
     typer.Option(
         "--path",
         metavar="FILE",
-        help="Also write path.csv: where tracks are along and across the paths of FILE (JSON).",
+        help="Also write path.csv: where tracks are along and across the paths of FILE (JSON). "
+        "filter.model kalman_path follows objects along them.",
     ),
 ]
 MatrixOption = Annotated[
@@ -144,7 +145,7 @@ def run(
         if paths is not None and path_file is not None:
             require_frame_size(paths, source.size, path_file)
 
-    return execute(request, resolved, make_sinks, check)
+    return execute(request, resolved, make_sinks, check, paths)
 
 
 def _view_names(video: bool, views: str | None) -> list[str]:

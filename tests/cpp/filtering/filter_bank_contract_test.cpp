@@ -85,8 +85,9 @@ TEST_P(FilterContract, StateAndEstimateSayTheSame) {
   const Eigen::VectorXd x = bank->state(0);
   EXPECT_EQ(x(0), now.position.x);
   EXPECT_EQ(x(1), now.position.y);
-  EXPECT_EQ(x(2), now.velocity.x);
-  EXPECT_EQ(x(3), now.velocity.y);
+  const int rates = bank->box_size(0) ? 4 : 2;  // width and height stand between
+  EXPECT_EQ(x(rates), now.velocity.x);
+  EXPECT_EQ(x(rates + 1), now.velocity.y);
   const Eigen::MatrixXd P = bank->state_covariance(0);
   if (P.size() == 0) {
     EXPECT_EQ(now.covariance_px2, Symmetric2{});
@@ -113,7 +114,9 @@ TEST_P(FilterContract, ClearForgetsAll) {
 
 INSTANTIATE_TEST_SUITE_P(Filters, FilterContract,
                          testing::Values(FilterOptions{KalmanCvOptions{}}, FilterOptions{KalmanCaOptions{}},
-                                         FilterOptions{MeanVelocityOptions{}},
+                                         FilterOptions{MeanVelocityOptions{}}, FilterOptions{KalmanDiscreteOptions{}},
+                                         FilterOptions{KalmanDiscreteOptions{.measurement_covariance = {9.0, 5.0, 4.0}}},
+                                         FilterOptions{KalmanBoxOptions{}},
                                          FilterOptions{MeanVelocityOptions{.window_steps = 5, .extrapolate_lost = true}}),
                          [](const auto& tested) {
                            const auto name = [](const auto& o) { return std::string(o.model); };
@@ -166,6 +169,11 @@ TEST_P(KalmanContract, MeasuringLowersAndMissingRaisesTheVariance) {
 
 TEST_P(KalmanContract, TwoHalfStepsAreOneStep) {
   FilterOptions options = GetParam();
+  if (std::holds_alternative<KalmanDiscreteOptions>(options)) {
+    // Its Q is that of whole steps: those are joined exactly.
+    std::get<KalmanDiscreteOptions>(options).step_time = 0.35;
+  }
+  if (auto* box = std::get_if<KalmanBoxOptions>(&options)) box->lost_damping_time = 0.0;
   if (auto* cv = std::get_if<KalmanCvOptions>(&options)) cv->lost_damping_time = 0.0;
   const auto whole = make_filter_bank(options);
   const auto halves = make_filter_bank(options);
@@ -184,7 +192,9 @@ TEST_P(KalmanContract, TwoHalfStepsAreOneStep) {
 INSTANTIATE_TEST_SUITE_P(Filters, KalmanContract,
                          testing::Values(FilterOptions{KalmanCvOptions{}}, FilterOptions{KalmanCaOptions{}},
                                          FilterOptions{KalmanCvOptions{.noise_unit = NoiseUnit::px}},
-                                         FilterOptions{KalmanCaOptions{.noise_unit = NoiseUnit::px}}));
+                                         FilterOptions{KalmanCaOptions{.noise_unit = NoiseUnit::px}},
+                                         FilterOptions{KalmanBoxOptions{}}, FilterOptions{KalmanDiscreteOptions{}},
+                                         FilterOptions{KalmanDiscreteOptions{.measurement_covariance = {9.0, 5.0, 4.0}}}));
 
 }  // namespace
 }  // namespace survtrack

@@ -19,7 +19,8 @@ std::string refusal(const std::string& option_and_value) {
 
 TEST(ConfigMessages, UnknownModelNamesPathAndChoices) {
   EXPECT_EQ(refusal("filter.model=kalmann"),
-            "filter.model: unknown \"kalmann\"; one of: kalman_cv, kalman_ca, mean_velocity");
+            "filter.model: unknown \"kalmann\"; one of: kalman_cv, kalman_ca, mean_velocity, kalman_discrete, "
+            "kalman_box, kalman_path");
   for (const std::string& model : all_models()) {
     const std::string path = model.substr(0, model.find('='));
     EXPECT_TRUE(contains(refusal(path + "=nothing"), path + ": unknown \"nothing\"; one of: ",
@@ -136,6 +137,36 @@ TEST(ConfigMessages, ContactsThatAreKeptDoNotComeBack) {
             "expected lifecycle.keep_contacts false, or reentry.model none");
   config.lifecycle = CountMedianOptions{};
   EXPECT_NO_THROW(config.check());
+}
+
+TEST(ConfigMessages, AMeasurementCovarianceThatIsNoneIsRefusedWithItsEigenvalue) {
+  Config config;
+  config.set("filter={model = \"kalman_discrete\", measurement_covariance = [0.2877, 1.1909, 1.1465]}");
+  EXPECT_EQ(message_of<ConfigError>([&] { Tracker{config}; }),
+            "filter.measurement_covariance: [[0.2877, 1.1909], [1.1909, 1.1465]] is not allowed, its smallest eigenvalue is "
+            "-0.548849; expected a covariance with both above 0, or filter.covariances as_published");
+  EXPECT_THROW(Detector{config}, ConfigError);
+  EXPECT_THROW(make_filter_bank(config.filter), ConfigError);
+  config.set("filter.covariances=as_published");
+  EXPECT_TRUE(contains(message_of<ConfigError>([&] { config.check(); }),
+                       "cost.model: \"gaussian\" needs a covariance, and filter.covariances is \"as_published\""));
+  config.set("cost.model=distance");
+  EXPECT_NO_THROW(Tracker{config});
+  // One axis measured exactly, or two that say the same.
+  for (const char* R : {"[0, 0, 1]", "[1, 1, 1]", "[4, -2, 1]"}) {
+    config.set("filter={model = \"kalman_discrete\", measurement_covariance = " + std::string(R) + "}");
+    EXPECT_TRUE(contains(message_of<ConfigError>([&] { config.check(); }), "its smallest eigenvalue is 0; expected"));
+  }
+}
+
+TEST(ConfigMessages, AFilterOverBoxesNeedsTheirCentre) {
+  Config config;
+  config.set("filter.model=kalman_box");
+  EXPECT_NO_THROW(Tracker{config});
+  config.set("measurement.model=centroid");
+  EXPECT_EQ(message_of<ConfigError>([&] { Tracker{config}; }),
+            "measurement.model: \"centroid\" measures no box, and filter.model is \"kalman_box\"; expected "
+            "measurement.model box_center, or another filter.model");
 }
 
 }  // namespace

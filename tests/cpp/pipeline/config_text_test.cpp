@@ -45,6 +45,7 @@ TEST(ConfigText, EveryOptionRoundTripsWithAnotherValue) {
       case OptionType::number:
         config.set(option.path + (option.bounds.low < 1.0 ? "=0.12345678901234567" : "=1.2345678901234567"));
         break;
+      case OptionType::numbers: config.set(option.path + "=" + option.list_of("0.12345678901234567")); break;
       case OptionType::choice:
         for (const std::string& choice : option.choices) {
           if (config.to_json() == before) config.set(option.path + "=" + choice);

@@ -102,6 +102,13 @@ TEST(OptionBounds, RefuseWrongTypes) {
           expect_refused(option, value, "a number");
         }
         break;
+      case OptionType::numbers:
+        for (const std::string& value :
+             {std::string("3.5"), std::string("\"[1]\""), std::string("[]"), std::string("{a = 1}"), std::string("[1"),
+              option.list_of("1.0", option.count - 1), option.list_of("1.0", option.count + 1)}) {
+          expect_refused(option, value, std::to_string(option.count) + " numbers, each " + describe(option.bounds));
+        }
+        break;
       case OptionType::choice:
         for (const char* value : {"1", "true", "nothing_like_it", "[]", ""}) {
           for (const std::string& choice : option.choices) expect_refused(option, value, choice);
@@ -109,6 +116,45 @@ TEST(OptionBounds, RefuseWrongTypes) {
         break;
     }
   }
+}
+
+TEST(OptionBounds, HoldForEachNumberOfAListAndNameIt) {
+  int lists = 0;
+  for (const ListedOption& option : all_options()) {
+    if (option.type != OptionType::numbers) continue;
+    ++lists;
+    const std::string ones = option.list_of("1.0");
+    expect_taken(option, ones);
+    for (std::size_t i = 0; i < option.count; ++i) {
+      const auto with = [&](const std::string& value) {
+        std::string list = ones;
+        return option.path + "=" + list.replace(1 + 5 * i, 3, value);
+      };
+      const std::string entry = option.path + "[" + std::to_string(i) + "]: ";
+      const auto message = [&](const std::string& value) {
+        Config config = config_with(option);
+        const std::string before = config.to_json();
+        const std::string text = message_of<ConfigError>([&] { config.set(with(value)); });
+        EXPECT_EQ(config.to_json(), before) << option.path;
+        return text;
+      };
+      const double above = std::nextafter(option.bounds.high, HUGE_VAL);
+      EXPECT_EQ(message(written(above)).rfind(entry, 0), 0U) << message(written(above));
+      EXPECT_TRUE(contains(message("nan"), entry + "nan is not allowed; expected " + describe(option.bounds)));
+      EXPECT_TRUE(contains(message("\"a\""), entry + "\"a\" is not allowed; expected a number"));
+      EXPECT_TRUE(contains(message("true"), entry + "true is not allowed; expected a number"));
+      EXPECT_TRUE(contains(message("[1.0]"), entry + "[1.0] is not allowed; expected a number"));
+      expect_taken(option, with("2").substr(option.path.size() + 1));
+    }
+  }
+  EXPECT_GT(lists, 5);
+}
+
+TEST(OptionBounds, OfAListInTheStructNameTheEntry) {
+  Config config;
+  config.filter = KalmanDiscreteOptions{.process_variances = {1.0, 1.0, -2.0, 1.0}};
+  EXPECT_EQ(message_of<ConfigError>([&] { check_fields(config); }),
+            "filter.process_variances[2]: -2 is not allowed; expected between 0 and 1000000000000");
 }
 
 TEST(OptionBounds, RefuseIntegersOutOfTheTypesRange) {

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <cstddef>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -14,7 +16,7 @@
 
 namespace survtrack {
 
-enum class OptionType { boolean, integer, number, choice };
+enum class OptionType { boolean, integer, number, numbers, choice };
 
 /// One option of a config, with what must be set before it exists: nothing, "filter.model=kalman_ca", or several of
 /// these, one a line.
@@ -25,6 +27,15 @@ struct ListedOption {
   Bounds bounds;
   std::vector<std::string> choices;
   std::string meaning;
+  std::size_t count = 1;  ///< of numbers
+
+  /// A list of them, each the same.
+  std::string list_of(const std::string& number, std::size_t length) const {
+    std::string text = "[";
+    for (std::size_t i = 0; i < length; ++i) text += (i == 0 ? "" : ", ") + number;
+    return text + "]";
+  }
+  std::string list_of(const std::string& number) const { return list_of(number, count); }
 };
 
 namespace option_list {
@@ -45,6 +56,7 @@ OptionType type_of() {
   if constexpr (std::is_same_v<Value, bool>) return OptionType::boolean;
   if constexpr (std::is_integral_v<Value>) return OptionType::integer;
   if constexpr (std::is_enum_v<Value>) return OptionType::choice;
+  if constexpr (is_number_list<Value>::value) return OptionType::numbers;
   return OptionType::number;
 }
 
@@ -59,6 +71,7 @@ void add(const std::string& path, const std::string& model, std::vector<ListedOp
       add<Value>(inner, model, list);
     } else {
       ListedOption option{model, inner, type_of<Value>(), f.bounds, {}, f.meaning};
+      if constexpr (is_number_list<Value>::value) option.count = std::tuple_size_v<Value>;
       if constexpr (std::is_enum_v<Value>) {
         for (const auto& choice : enum_names(Value{})) option.choices.emplace_back(choice.first);
       }

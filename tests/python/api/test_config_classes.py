@@ -24,6 +24,8 @@ OTHER_CHOICES = {
     "continuous": "identity",
     "hs1981": "sobel",
     "border": "strip",
+    "detection": "frame_center",
+    "checked": "as_published",
 }
 
 
@@ -41,6 +43,8 @@ def another(value: Any) -> Any:
     if isinstance(value, dict):
         whole = survtrack.WholeFrameOptions()
         return whole if value["model"] == "none" else survtrack.NoMergeOptions()
+    if isinstance(value, tuple):
+        return tuple(another(number) for number in value)
     if isinstance(value, int):
         return 3 if value != 3 else 5
     return value / 2 if value else 1.0
@@ -162,6 +166,54 @@ def test_numpy_integers_are_integers(number: Any) -> None:
 @pytest.mark.parametrize("number", [np.float16(7.5), np.float32(7.5), np.float64(7.5)])
 def test_numpy_floats_are_numbers(number: Any) -> None:
     assert survtrack.SelectiveOptions(threshold=number).threshold == 7.5
+
+
+VARIANCES = (1.0, 2.0, 3.0, 4.0)
+
+
+@pytest.mark.parametrize(
+    "numbers",
+    [
+        *(VARIANCES, list(VARIANCES), range(1, 5), np.array(VARIANCES), np.arange(1, 5)),
+        *(np.array(VARIANCES, np.float32), [1, np.float64(2), np.int8(3), 4.0]),
+    ],
+    ids=repr,
+)
+def test_any_sequence_of_numbers_is_a_list_and_becomes_a_tuple(numbers: Any) -> None:
+    options = survtrack.KalmanDiscreteOptions(process_variances=numbers)
+    assert options.process_variances == VARIANCES
+    assert type(options.process_variances) is tuple
+    assert all(type(number) is float for number in options.process_variances)
+    assert options.to_dict()["process_variances"] == VARIANCES
+
+
+ITSELF: list[Any] = [1.0, 2.0, 3.0]
+ITSELF.append(ITSELF)
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (3.0, r": 3.0 is not allowed; expected 4 numbers, each between 0 and 1000000000000"),
+        ("1234", r': "1234" is not allowed; expected 4 numbers'),
+        (b"1234", r": .* is not allowed; expected 4 numbers"),
+        (None, r": null is not allowed; expected 4 numbers"),
+        (iter(VARIANCES), r": .* is not allowed; expected 4 numbers"),
+        (set(VARIANCES), r": .* is not allowed; expected 4 numbers"),
+        ([1, 2, 3], r": \[1,2,3\] is not allowed; expected 4 numbers"),
+        (range(10**12), r": .* is not allowed; expected 4 numbers"),
+        (np.ones((2, 4)), r": .* is not allowed; expected 4 numbers"),
+        (np.ones((4, 1)), r"\[0\]: .* is not allowed; expected a number"),
+        ([1, 2, -3, 4], r"\[2\]: -3 is not allowed; expected between 0 and"),
+        ([1, 2, 3, float("nan")], r"\[3\]: nan is not allowed; expected between 0 and"),
+        ([1, True, 3, 4], r"\[1\]: true is not allowed; expected a number"),
+        ([1, 2, "3", 4], r'\[2\]: "3" is not allowed; expected a number'),
+        (ITSELF, r"\[3\]: .* is not allowed; expected a number"),
+    ],
+)
+def test_what_is_no_list_of_numbers_is_refused_by_its_place(value: Any, message: str) -> None:
+    with pytest.raises(ConfigError, match=rf"^KalmanDiscreteOptions\.process_variances{message}"):
+        survtrack.KalmanDiscreteOptions(process_variances=value)
 
 
 def test_numpy_booleans_are_booleans() -> None:

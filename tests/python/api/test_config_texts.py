@@ -39,7 +39,7 @@ def test_a_preset_is_its_file_on_top_of_the_defaults(name: str) -> None:
     below = survtrack.preset(table.pop("base", "survtrack"))
     below.update_from_json(json.dumps(table))
     assert config == below
-    assert holds(config.to_dict(), table)
+    assert holds(json.loads(config.to_json()), table)
     assert [line for line in text.splitlines() if line.startswith("#")], "says nothing of itself"
 
 
@@ -69,7 +69,9 @@ def test_texts_and_dicts_give_the_same_config(name: str) -> None:
     assert Config.from_toml(config.to_toml()) == config
     assert Config.from_json(config.to_json()) == config
     assert Config(**config.to_dict()) == config
-    assert tomllib.loads(config.to_toml()) == json.loads(config.to_json()) == config.to_dict()
+    values = json.loads(config.to_json())
+    assert tomllib.loads(config.to_toml()) == values
+    assert json.loads(json.dumps(config.to_dict())) == values  # lists of numbers are tuples
 
 
 def test_every_option_of_the_text_is_explained() -> None:
@@ -92,6 +94,22 @@ def test_set_takes_numbers_words_and_booleans() -> None:
         outputs=survtrack.OutputOptions(background=True),
     )
     assert config == expected
+
+
+def test_set_takes_lists_of_numbers() -> None:
+    config = Config()
+    config.set("filter.model=kalman_discrete")
+    config.set("filter.process_variances=[1,2,3,4]")
+    config.set(" filter.measurement_covariance = [0.2877, 0, 1.1465] ")
+    assert config.filter == survtrack.KalmanDiscreteOptions(
+        process_variances=(1, 2, 3, 4), measurement_covariance=(0.2877, 0, 1.1465)
+    )
+    assert Config.from_toml(config.to_toml()) == Config.from_json(config.to_json()) == config
+    assert "process_variances = [1.0,2.0,3.0,4.0]  # px^2, (px/unit)^2; " in config.to_toml()
+    with pytest.raises(ConfigError, match=r"^filter\.process_variances\[2\]: -3 is not allowed; "):
+        config.set("filter.process_variances=[1,2,-3,4]")
+    with pytest.raises(ConfigError, match=r"^street\.toml: filter\.process_variances: \[1,2\] is"):
+        config.update_from_toml("filter.process_variances = [1, 2]", "street.toml")
 
 
 def test_choosing_a_model_resets_its_options() -> None:

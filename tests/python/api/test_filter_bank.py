@@ -41,6 +41,8 @@ ALL_OPTIONS = [
     survtrack.KalmanCaOptions(),
     survtrack.MeanVelocityOptions(),
     survtrack.MeanVelocityOptions(extrapolate_lost=True),
+    survtrack.KalmanDiscreteOptions(),
+    survtrack.KalmanBoxOptions(),
 ]
 
 
@@ -219,3 +221,100 @@ def test_only_filter_options_make_a_bank() -> None:
     for options in (survtrack.HungarianOptions(), survtrack.Config(), "kalman_cv", None):
         with pytest.raises(TypeError, match="KalmanCvOptions"):
             FilterBank(options)  # type: ignore[arg-type]
+
+
+def filterpy_discrete(options: survtrack.KalmanDiscreteOptions, start: Array) -> KalmanFilter:
+    other = KalmanFilter(dim_x=4, dim_z=2)
+    other.x = np.array([*start, 0, 0])
+    other.P = np.diag(options.initial_variances)
+    xx, xy, yy = options.measurement_covariance
+    other.R = np.array([[xx, xy], [xy, yy]])
+    other.H = np.eye(2, 4)
+    other.F = np.eye(4) + options.step_time * np.eye(4, k=2)
+    other.Q = np.diag(options.process_variances)
+    return other
+
+
+def test_given_covariances_are_filterpys_and_missing_frames_are_as_many_steps() -> None:
+    """Nashenda 2011 with R as a covariance, and a control input."""
+    options = survtrack.KalmanDiscreteOptions(
+        process_variances=[10] * 4,
+        measurement_covariance=(0.2877, 0.1, 1.1465),
+        initial_variances=[100] * 4,
+        control_input=(0.5, 0, 0, 8),
+        step_time=0.2685,
+    )
+    bank = FilterBank(options)
+    bank.add(192, 144)
+    other = filterpy_discrete(options, np.array([192.0, 144.0]))
+    random = np.random.default_rng(1)
+    for steps in [1, 1, 3, 1, 2, 1, 7, 1]:
+        for _ in range(steps):
+            other.predict()
+            other.x = other.x + options.control_input
+        bank.predict(steps * 0.2685)
+        S = other.H @ other.P @ other.H.T + other.R
+        assert bank.innovation_covariances_px2[0] == pytest.approx(S, rel=1e-9)
+        measured = bank.positions + random.normal(0, 3, (1, 2))
+        other.update(measured[0])
+        bank.correct(measured)
+        assert bank.state(0) == pytest.approx(other.x, rel=1e-9)
+        assert bank.state_covariance(0) == pytest.approx(other.P, rel=1e-9)
+
+
+def test_a_filter_over_boxes_takes_sizes() -> None:
+    bank = FilterBank(survtrack.KalmanBoxOptions())
+    bank.add(0, 0, object_size_px=20)
+    bank.add(90, 0, object_size_px=20)
+    for k in range(1, 40):
+        bank.predict(1)
+        bank.correct([[k, 0], [math.nan] * 2], [[20 + k, 10], [math.nan] * 2])
+    assert bank.box_sizes[0] == pytest.approx((59, 10), abs=1)
+    assert bank.box_sizes[1].tolist() == [20, 20]
+    assert bank.state(0).shape == (8,) and bank.state_covariance(0).shape == (8, 8)
+    assert bank.state(0)[6] == pytest.approx(1, abs=0.1)
+    assert np.isnan(FilterBank(CV).box_sizes).all()
+    bank.correct([[1, 1], [2, 2]])  # without sizes too
+    for sizes in ([[1, 1]], [[1, 0], [1, 1]], [[1, 1], [1, math.nan]], [[1, 1e9], [1, 1]], [1, 1]):
+        with pytest.raises(InputError, match=r"^sizes: "):
+            bank.correct([[1, 1], [2, 2]], sizes)
+
+
+def test_a_filter_along_a_path_says_where_it_is_on_it() -> None:
+    lane = survtrack.Path([(0, 50), (100, 50), (100, 150)], kind="curve", max_distance_px=20)
+    bank = FilterBank(survtrack.KalmanPathOptions(), paths=survtrack.Paths({"lane": lane}))
+    bank.add(10, 55)
+    for k in range(1, 12):
+        bank.predict(1)
+        bank.correct(lane.to_image([(10 + 8.0 * k, 5)]))
+    before = bank.path_state(0)
+    bank.predict(2)
+    state = bank.path_state(0)
+    assert before is not None and state is not None
+    assert state.path == lane and state.place_before == before.predicted
+    assert state.predicted == pytest.approx((10 + 8 * 13, 5), abs=0.5)
+    assert state.velocity == pytest.approx((8, 0), abs=0.2)
+    assert state.covariance_px2[0, 0] == bank.state_covariance(0)[0, 0]
+    assert bank.state(0) == pytest.approx([*state.predicted, *state.velocity])
+    assert bank.positions[0] == pytest.approx(lane.to_image([state.predicted])[0])
+    speed = lane.stretches([state.predicted])[0] * state.velocity[0]
+    velocity = speed * lane.tangents([state.predicted[0]])[0]
+    velocity += state.velocity[1] * lane.normals([state.predicted[0]])[0]
+    assert bank.velocities[0] == pytest.approx(velocity)
+    other = FilterBank(CV)
+    other.add(0, 0)
+    assert other.path_state(0) is None
+    with pytest.raises(InputError, match=r"^position: is too far off every path"):
+        bank.add(10, 90)
+    assert len(bank) == 1
+    with pytest.raises(InputError, match=r'^filter.model: "kalman_path" has no paths'):
+        FilterBank(survtrack.KalmanPathOptions())
+
+
+def test_the_frames_centre_needs_the_frames_size() -> None:
+    options = survtrack.KalmanDiscreteOptions(start="frame_center")
+    with pytest.raises(InputError, match=r"^frame: its size is not known"):
+        FilterBank(options)
+    bank = FilterBank(options, frame_size=(200, 100))
+    bank.add(110, 52)
+    assert 100 < bank.positions[0, 0] < 110 and 50 < bank.positions[0, 1] < 52

@@ -103,3 +103,42 @@ def test_a_bad_file_is_named(
     assert run(clip, "--path", tmp_path / "no.json", "--out", tmp_path / "out") == 1
     assert "no.json: no such file" in error_of(capsys)
     assert not (tmp_path / "out").exists()
+
+
+FILTER = ("--set", "filter.model=kalman_path")
+
+
+def test_objects_are_followed_along_the_paths(clip: Path, path_file: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    assert run(clip, "--path", path_file, *FILTER, "--out", out) == 0
+    with (out / "tracks.csv").open(newline="") as file:
+        tracks = list(csv.DictReader(file))
+    assert len(tracks) > 30 and {track["id"] for track in tracks} == {"1"}
+    assert float(tracks[-1]["velocity_x_px_per_s"]) == pytest.approx(20, abs=3)
+    # The square is farther off this one: it is no object.
+    far = Paths({"lane": ImagePath([(0, 90), (128, 90)], max_distance_px=10)}, (128, 96))
+    path_file.write_text(far.to_json())
+    assert run(clip, "--path", path_file, *FILTER, "--out", out) == 0
+    assert (out / "tracks.txt").read_text() == ""
+
+
+def test_following_along_paths_needs_some(
+    clip: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    message = (
+        'filter.model "kalman_path": follows objects along paths; add --path FILE to '
+        "`survtrack run`, or choose another filter"
+    )
+    for command in ("run", "segment"):
+        assert main([command, str(clip), *FILTER, "--out", str(tmp_path / "out")]) == 2
+        assert error_of(capsys) == message
+    assert not (tmp_path / "out").exists()
+
+
+def test_paths_of_other_frames_are_refused_by_the_filter_too(
+    clip: Path, path_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    args = (clip, "--path", path_file, *FILTER, "--resize", "64x48")
+    assert run(*args, "--out", tmp_path / "out") == 1
+    assert "frame: is 64x48 px, and the paths are drawn on frames of 128x96" in error_of(capsys)
+    assert not (tmp_path / "out").exists()

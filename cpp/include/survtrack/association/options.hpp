@@ -134,6 +134,14 @@ struct RowOrderOptions {
   static constexpr auto fields() { return std::make_tuple(); }
 };
 
-using AssignmentOptions = std::variant<HungarianOptions, OldestFirstOptions, RowOrderOptions>;
+/// Where one object is followed (Nashenda 2011, 4): the largest detection is its measurement, wherever it is.
+struct LargestOptions {
+  static constexpr const char* model = "largest";
+  static constexpr const char* meaning =
+      "tracks in order of age, each takes the largest detection that its cost does not refuse (Nashenda 2011)";
+  static constexpr auto fields() { return std::make_tuple(); }
+};
+
+using AssignmentOptions = std::variant<HungarianOptions, OldestFirstOptions, RowOrderOptions, LargestOptions>;
 
 }  // namespace survtrack

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -29,6 +31,8 @@ constexpr Bounds odd_up_to(double high) { return {0.0, high, false, true}; }
 /// "between 0 and 1", "at least 0, odd", ... for messages and the reference page.
 std::string describe(const Bounds& bounds);
 bool allows(const Bounds& bounds, double value);
+/// The same of a list of so many numbers: "4 numbers, each at least 0".
+std::string describe(const Bounds& bounds, std::size_t count);
 
 /// One option of an option struct: the only place where its name, unit, meaning and range stand.
 /// Every option struct has a `static constexpr auto fields()` that returns a tuple of these.
@@ -58,6 +62,12 @@ struct is_variant : std::false_type {};
 template <class... T>
 struct is_variant<std::variant<T...>> : std::true_type {};
 
+/// A list of so many numbers.
+template <class T>
+struct is_number_list : std::false_type {};
+template <std::size_t N>
+struct is_number_list<std::array<double, N>> : std::true_type {};
+
 /// Calls `visit(field)` for each field of `Struct`, in order.
 template <class Struct, class Visit>
 void for_each_field(Visit&& visit) {
@@ -66,6 +76,10 @@ void for_each_field(Visit&& visit) {
 
 inline std::string join_path(const std::string& path, const char* name) {
   return path.empty() ? name : path + "." + name;
+}
+
+inline std::string join_path(const std::string& path, std::size_t entry) {
+  return path + "[" + std::to_string(entry) + "]";
 }
 
 [[noreturn]] void refuse_number(const std::string& path, double value, const Bounds& bounds);
@@ -81,6 +95,8 @@ void check_value(const Value& value, const Bounds& bounds, const std::string& pa
     std::visit([&](const auto& alternative) { check_fields(alternative, path); }, value);
   } else if constexpr (has_fields<Value>::value) {
     check_fields(value, path);
+  } else if constexpr (is_number_list<Value>::value) {
+    for (std::size_t i = 0; i < value.size(); ++i) check_value(value[i], bounds, join_path(path, i));
   } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
     const auto number = static_cast<double>(value);
     if (!std::isfinite(number) || !allows(bounds, number)) refuse_number(path, number, bounds);

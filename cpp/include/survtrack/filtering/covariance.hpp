@@ -6,13 +6,9 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace survtrack {
+#include "survtrack/filtering/covariances.hpp"
 
-/// What is asked of the covariances Q, R and P that a filter is given.
-enum class Covariances {
-  checked,       ///< symmetric, no eigenvalue below 0; what is not is refused
-  as_published,  ///< only shapes and finite numbers: to reproduce published listings, not to track with
-};
+namespace survtrack {
 
 using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
 

@@ -8,17 +8,12 @@
 #include <variant>
 
 #include "survtrack/core/fields.hpp"
+#include "survtrack/filtering/box_options.hpp"
+#include "survtrack/filtering/discrete_options.hpp"
+#include "survtrack/filtering/noise_unit.hpp"
+#include "survtrack/filtering/path_options.hpp"
 
 namespace survtrack {
-
-/// What noises are measured in.
-enum class NoiseUnit {
-  object_size,  ///< the root of the object's box area: near and far objects are treated alike
-  px,
-};
-constexpr auto enum_names(NoiseUnit) {
-  return std::array{std::pair{"object_size", NoiseUnit::object_size}, std::pair{"px", NoiseUnit::px}};
-}
 
 /// How a filter's process noise Q is made.
 enum class NoiseForm {
@@ -105,6 +100,7 @@ struct MeanVelocityOptions {
   }
 };
 
-using FilterOptions = std::variant<KalmanCvOptions, KalmanCaOptions, MeanVelocityOptions>;
+using FilterOptions = std::variant<KalmanCvOptions, KalmanCaOptions, MeanVelocityOptions, KalmanDiscreteOptions,
+                                   KalmanBoxOptions, KalmanPathOptions>;
 
 }  // namespace survtrack

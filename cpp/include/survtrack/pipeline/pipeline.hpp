@@ -55,6 +55,8 @@ class Pipeline {
   void load_learned_scene(const std::string& json, const std::string& source = "scene") {
     tracker_.load_learned_scene(json, source);
   }
+  /// See Tracker::load_paths.
+  void load_paths(const Paths& paths) { tracker_.load_paths(paths); }
 
   /// See Tracker::load_zones.
   void load_zones(const std::vector<Box>& zones) { tracker_.load_zones(zones); }

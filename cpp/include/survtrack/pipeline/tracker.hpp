@@ -42,7 +42,8 @@ class Tracker {
   /// Comes once after `predict` for the same time. Throws `InputError` and then keeps its state.
   void update(const Detections& detections, TrackingResult& result);
 
-  /// Throws `InputError` for a frame of a size that what is learned of the scene cannot be of; sides of 0 px: unknown.
+  /// Throws `InputError` for a frame of a size that what is learned of the scene, or was loaded, cannot be of, and while
+  /// there are no paths for filters that need some; sides of 0 px: unknown.
   void check_frame_size(int width, int height) const;
 
   /// Where newcomers are looked for, px, with `regions.acquisition = zones`; before the first frame. Throws `InputError`
@@ -58,6 +59,10 @@ class Tracker {
   /// naming `source` and the entry, for a text that is no such scene, or whose grid or densities are made otherwise
   /// than this config says; and then keeps its state.
   void load_learned_scene(const std::string& json, const std::string& source = "scene");
+
+  /// The paths that filter.model kalman_path follows objects along; other filters leave them aside. `reset` keeps them.
+  /// Throws `InputError` when there are none, they are drawn on frames of another size, or frames were processed already.
+  void load_paths(const Paths& paths);
 
  private:
   void check(const Detections& detections) const;

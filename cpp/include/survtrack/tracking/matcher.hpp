@@ -34,6 +34,8 @@ class Matcher {
  private:
   void add_appearance(const TrackTable& table, const Detections& detections);
   void assign_rows(const TrackTable& table, const Detections& detections, Assignment& assignment);
+  void refuse_foreign(const TrackTable& table, const Detections& detections);
+  void assign_largest(const Detections& detections, Assignment& assignment);
   void assign_in_row_order(const Detections& detections, Assignment& assignment);
 
   CostOptions cost_;
@@ -42,7 +44,7 @@ class Matcher {
   CostMatrix costs_;
   std::optional<BeliefCost> belief_;
   HungarianSolver solver_;
-  std::vector<int> rows_;  ///< those of one round; in row order: the detections
+  std::vector<int> rows_;  ///< those of one round; else what there is of each detection
 };
 
 }  // namespace survtrack

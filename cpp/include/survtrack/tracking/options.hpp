@@ -128,9 +128,26 @@ struct RegionGrowthOptions {
   }
 };
 
-using LifecycleOptions =
-    std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions, RegionGrowthOptions>;
+/// One object at a time (Nashenda 2011): the largest detection starts its track, which is predicted in every frame without
+/// one. With assignment.model largest the largest detection is also its measurement in each frame.
+struct SingleLargestOptions {
+  static constexpr const char* model = "single_largest";
+  static constexpr const char* meaning = "one track at a time, started by the largest detection (Nashenda 2011)";
 
+  int lost_after_frames = 0;
+  int restart_after_frames = 0;
+
+  static constexpr auto fields() {
+    using O = SingleLargestOptions;
+    return std::make_tuple(
+        field("lost_after_frames", &O::lost_after_frames, "frames",
+              "the next miss in a row closes the track; 0: it is predicted for ever", between(0, 1e6)),
+        field("restart_after_frames", &O::restart_after_frames, "frames",
+              "a track that missed more starts anew where it is seen; 0: it never does", between(0, 1e6)));
+  }
+};
+
+using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions, SingleLargestOptions>;
 
 /// No vicinity factor is learned.
 struct NoVicinityOptions {

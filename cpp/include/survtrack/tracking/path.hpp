@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "survtrack/core/geometry.hpp"
+#include "survtrack/core/path_position.hpp"
 
 namespace survtrack {
 
@@ -20,14 +21,6 @@ enum class PathKind {
 };
 
 const char* to_string(PathKind kind);
-
-/// A place or a velocity by a path: along it and across it, px or px/s.
-struct PathPosition {
-  double s_px = 0.0;  ///< length along the path from its start
-  double t_px = 0.0;  ///< distance across it, positive to the right of who goes along it, as seen in the picture
-
-  friend bool operator==(const PathPosition& a, const PathPosition& b) { return a.s_px == b.s_px && a.t_px == b.t_px; }
-};
 
 struct PathShape;
 
@@ -70,6 +63,10 @@ class Path {
   /// How fast S and T change of a point that moves: ds/dt = (v . tangent) / (1 - T / radius). The divisor is kept above
   /// 0.01, since S leaps at the centre of curvature. NaN as of to_path().
   PathPosition velocity(const Point& point, const Point& velocity_px_per_s) const;
+
+  /// How far a point at this place moves along for each px of S: 1 - T / radius, kept between 0.01 and 100. Its velocity
+  /// in the image is stretch ds/dt tangent + dt/dt normal.
+  double stretch(const PathPosition& place) const;
 
   /// Of length 1, where the path goes at S; at a corner the mean of both directions.
   Point tangent(double s_px) const;

@@ -13,6 +13,7 @@
 #include "survtrack/core/expectation.hpp"
 #include "survtrack/filtering/filter_bank.hpp"
 #include "survtrack/tracking/measurement.hpp"
+#include "survtrack/tracking/paths.hpp"
 #include "survtrack/tracking/reentry.hpp"
 #include "survtrack/tracking/scale_learner.hpp"
 
@@ -45,6 +46,12 @@ class TrackTable {
     return filters_->innovation_covariance_px2(i, extra_px2);
   }
   Observation observe(int i, const Detection& detection) const;
+  /// How a position measured of row `i` differs from the predicted one, px.
+  Point innovation(int i, const Point& measured) const { return filters_->innovation(i, measured); }
+  /// Whether the filters can take a detection for an object at all.
+  bool accepts(const Detection& detection) const { return filters_->accepts(measured(detection)); }
+  /// By the path that row `i` is on; nothing with filters that have none.
+  std::optional<PathState> path_state(int i) const { return filters_->path_state(i); }
   /// What a detection that is not shared measures, whichever the row.
   Point measured(const Detection& detection) const { return measured_position(measurement_, detection); }
   /// A row's velocity, to be compared with those that measurements would imply (Narayana 2007, 4.2).
@@ -63,6 +70,12 @@ class TrackTable {
     }
   };
   Motion motion(int i) const;
+
+  /// The paths of filters along paths; see PathBank. Others leave them aside.
+  void set_paths(const Paths& paths);
+  /// Throws `InputError` for frames that the filters cannot work on; sides of 0 px: unknown.
+  void check_frame_size(int width, int height) const { filters_->check_frame_size(width, height); }
+  void set_frame_size(int width, int height) { filters_->set_frame_size(width, height); }
 
   /// Moves all filters on to the time of the coming frame.
   void predict(double time_s);
@@ -94,6 +107,8 @@ class TrackTable {
   /// Marks which believed tracks stand so near to another that edges may be hidden.
   void find_near();
   void refresh(int i);
+  /// Takes a row's size over from a filter that has one.
+  void follow_size(int i);
 
   MeasurementOptions measurement_;
   std::unique_ptr<FilterBank> filters_;
