@@ -55,5 +55,6 @@ void bind_patterns(py::module_& module);
 void bind_paths(py::module_& module);
 void bind_regions(py::module_& module);
 void bind_appearance(py::module_& module);
+void bind_noise(py::module_& module);
 
 }  // namespace survtrack::bindings

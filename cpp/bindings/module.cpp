@@ -44,4 +44,5 @@ PYBIND11_MODULE(_core, module) {
   bindings::bind_pipeline(module);
   bindings::bind_regions(module);
   bindings::bind_appearance(module);
+  bindings::bind_noise(module);
 }

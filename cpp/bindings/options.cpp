@@ -36,6 +36,9 @@ void bind_options(py::module_& module) {
   bind_model_options<KalmanDiscreteOptions>(module, "KalmanDiscreteOptions");
   bind_model_options<KalmanBoxOptions>(module, "KalmanBoxOptions");
   bind_model_options<KalmanPathOptions>(module, "KalmanPathOptions");
+  bind_model_options<ExtendedOptions>(module, "ExtendedOptions");
+  bind_model_options<UnscentedOptions>(module, "UnscentedOptions");
+  bind_model_options<ParticleOptions>(module, "ParticleOptions");
   bind_model_options<BoxCenterOptions>(module, "BoxCenterOptions");
   bind_model_options<CentroidOptions>(module, "CentroidOptions");
   bind_model_options<GaussianCostOptions>(module, "GaussianCostOptions");

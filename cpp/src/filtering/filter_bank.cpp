@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "filtering/turn_banks.hpp"
 #include "survtrack/filtering/box_bank.hpp"
 #include "survtrack/filtering/discrete_bank.hpp"
 #include "survtrack/filtering/kalman_bank.hpp"
@@ -154,6 +155,9 @@ struct MakeBank {
     throw ConfigError("filter.model: \"kalman_path\" needs paths, which this bank has no place for; expected another, or a "
                       "PathBank");
   }
+  std::unique_ptr<FilterBank> operator()(const ExtendedOptions& o) const { return make_bank(o); }
+  std::unique_ptr<FilterBank> operator()(const UnscentedOptions& o) const { return make_bank(o); }
+  std::unique_ptr<FilterBank> operator()(const ParticleOptions& o) const { return make_bank(o); }
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ from survtrack.cli.reproduce import reproduce
 from survtrack.cli.run import run
 from survtrack.cli.scene import scene
 from survtrack.cli.segment import segment
+from survtrack.cli.tune_noise import tune_noise_command
 
 TRACEBACK = "SURVTRACK_TRACEBACK"
 
@@ -37,6 +38,7 @@ app.command("evaluate")(evaluate)
 app.command("evaluate-masks")(evaluate_masks)
 app.command("reproduce")(reproduce)
 app.command("scene")(scene)
+app.command("tune-noise")(tune_noise_command)
 app.command("presets")(presets)
 
 

@@ -7,14 +7,17 @@
 """
 
 from survtrack.offline.linking import link_run
+from survtrack.offline.noise import TunedNoise, tune_noise
 from survtrack.offline.patterns import paths_of, patterns_of_run, read_patterns
 from survtrack.offline.tracks_table import TracksTable, read_tracks_csv
 
 __all__ = [
     "TracksTable",
+    "TunedNoise",
     "link_run",
     "paths_of",
     "patterns_of_run",
     "read_patterns",
     "read_tracks_csv",
+    "tune_noise",
 ]

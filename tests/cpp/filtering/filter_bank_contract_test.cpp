@@ -13,9 +13,18 @@
 namespace survtrack {
 namespace {
 
+bool turns(const FilterOptions& options) {
+  return std::holds_alternative<ExtendedOptions>(options) || std::holds_alternative<UnscentedOptions>(options) ||
+         std::holds_alternative<ParticleOptions>(options);
+}
+
 /// What every filter promises: it finds the velocity of what moves steadily, slots do not touch each other,
 /// and state and estimate say the same.
-class FilterContract : public testing::TestWithParam<FilterOptions> {};
+class FilterContract : public testing::TestWithParam<FilterOptions> {
+ protected:
+  /// The mean velocity over the headings that an object which may turn can have is a little shorter than it is.
+  static double share_of_velocity() { return turns(GetParam()) ? 0.04 : 0.0; }
+};
 
 TEST_P(FilterContract, FindsPositionAndVelocityOfASteadyMotion) {
   const auto bank = make_filter_bank(GetParam());
@@ -25,13 +34,14 @@ TEST_P(FilterContract, FindsPositionAndVelocityOfASteadyMotion) {
     bank->correct(0, {10.0 + 4.0 * i, 200.0 - 3.0 * i});
   }
   const Estimate now = bank->estimate(0);
-  EXPECT_NEAR(now.position.x, 250.0, 0.05);
-  EXPECT_NEAR(now.position.y, 20.0, 0.05);
-  EXPECT_NEAR(now.velocity.x, 4.0, 0.05);
-  EXPECT_NEAR(now.velocity.y, -3.0, 0.05);
+  const double slack = 5.0 * share_of_velocity();
+  EXPECT_NEAR(now.position.x, 250.0, 0.05 + slack);
+  EXPECT_NEAR(now.position.y, 20.0, 0.05 + slack);
+  EXPECT_NEAR(now.velocity.x, 4.0, 0.05 + slack);
+  EXPECT_NEAR(now.velocity.y, -3.0, 0.05 + slack);
   bank->predict(1.0);
-  EXPECT_NEAR(bank->predicted_position(0).x, 254.0, 0.1);
-  EXPECT_NEAR(bank->predicted_position(0).y, 17.0, 0.1);
+  EXPECT_NEAR(bank->predicted_position(0).x, 254.0, 0.1 + slack);
+  EXPECT_NEAR(bank->predicted_position(0).y, 17.0, 0.1 + slack);
 }
 
 TEST_P(FilterContract, TwoStepsAtOnceAfterAMissingFrame) {
@@ -44,7 +54,7 @@ TEST_P(FilterContract, TwoStepsAtOnceAfterAMissingFrame) {
     bank->predict(dt);
     bank->correct(0, {5.0 * time, 0.0});
   }
-  EXPECT_NEAR(bank->estimate(0).velocity.x, 5.0, 0.05);
+  EXPECT_NEAR(bank->estimate(0).velocity.x, 5.0, 0.05 + 5.0 * share_of_velocity());
 }
 
 TEST_P(FilterContract, SlotsDoNotTouchEachOther) {
@@ -52,6 +62,8 @@ TEST_P(FilterContract, SlotsDoNotTouchEachOther) {
   const auto alone = make_filter_bank(GetParam());
   EXPECT_EQ(both->add({1.0, 1.0}, 10.0), 0);
   EXPECT_EQ(both->add({50.0, 60.0}, 30.0), 1);
+  alone->add({1.0, 1.0}, 10.0);  // random numbers go by the turn of birth
+  alone->remove(0);
   alone->add({50.0, 60.0}, 30.0);
   for (int i = 1; i <= 12; ++i) {
     both->predict(0.5);
@@ -103,6 +115,41 @@ TEST_P(FilterContract, ASecondMeasurementOfTheSameTimeStaysFinite) {
   EXPECT_TRUE(bank->state(0).allFinite());
 }
 
+TEST_P(FilterContract, RestartIsANewBeginningInTheSameSlot) {
+  const auto bank = make_filter_bank(GetParam());
+  bank->add({3.0, 4.0}, 10.0);
+  bank->add({60.0, 60.0}, 10.0);
+  for (int i = 1; i <= 10; ++i) {
+    bank->predict(1.0);
+    bank->correct(0, {3.0 + 5.0 * i, 4.0});
+    bank->correct(1, {60.0, 60.0 - 2.0 * i});
+  }
+  const Eigen::VectorXd other = bank->state(1);
+  bank->restart(0, {100.0, 200.0}, 30.0);
+  const auto fresh = make_filter_bank(GetParam());
+  fresh->add({100.0, 200.0}, 30.0);
+  ASSERT_EQ(bank->size(), 2);
+  EXPECT_EQ(bank->state(0), fresh->state(0));
+  EXPECT_EQ(bank->state_covariance(0), fresh->state_covariance(0));
+  EXPECT_EQ(bank->estimate(0).position, (Point{100.0, 200.0}));
+  EXPECT_EQ(bank->innovation_covariance_px2(0), fresh->innovation_covariance_px2(0));
+  EXPECT_EQ(bank->state(1), other);
+}
+
+TEST_P(FilterContract, StepsOfAnyLengthStayFinite) {
+  for (const double dt : {1e-9, 1e-3, 1e3, 1e6}) {
+    const auto bank = make_filter_bank(GetParam());
+    bank->add({3.0, 4.0}, 10.0);
+    for (int i = 0; i < 20; ++i) {
+      bank->predict(dt);
+      if (i % 3 != 0) bank->correct(0, {5.0 + i, 8.0}, {i % 2 == 0 ? 1e6 : 0.0, 0.0, 0.0});
+    }
+    EXPECT_TRUE(bank->state(0).allFinite()) << dt;
+    EXPECT_TRUE(bank->state_covariance(0).allFinite()) << dt;
+    EXPECT_TRUE(std::isfinite(bank->predicted_position(0).x)) << dt;
+  }
+}
+
 TEST_P(FilterContract, ClearForgetsAll) {
   const auto bank = make_filter_bank(GetParam());
   bank->add({3.0, 4.0}, 10.0);
@@ -117,7 +164,9 @@ INSTANTIATE_TEST_SUITE_P(Filters, FilterContract,
                                          FilterOptions{MeanVelocityOptions{}}, FilterOptions{KalmanDiscreteOptions{}},
                                          FilterOptions{KalmanDiscreteOptions{.measurement_covariance = {9.0, 5.0, 4.0}}},
                                          FilterOptions{KalmanBoxOptions{}},
-                                         FilterOptions{MeanVelocityOptions{.window_steps = 5, .extrapolate_lost = true}}),
+                                         FilterOptions{MeanVelocityOptions{.window_steps = 5, .extrapolate_lost = true}},
+                                         FilterOptions{ExtendedOptions{}}, FilterOptions{UnscentedOptions{}},
+                                         FilterOptions{ParticleOptions{}}),
                          [](const auto& tested) {
                            const auto name = [](const auto& o) { return std::string(o.model); };
                            return std::visit(name, tested.param) + "_" + std::to_string(tested.index);
@@ -167,7 +216,24 @@ TEST_P(KalmanContract, MeasuringLowersAndMissingRaisesTheVariance) {
   EXPECT_LT(bank->estimate(0).covariance_px2.xx, before);
 }
 
+TEST_P(KalmanContract, WhatIsMeasuredLessWellCountsLess) {
+  const auto sharp = make_filter_bank(GetParam()), blurred = make_filter_bank(GetParam());
+  for (const auto& bank : {sharp.get(), blurred.get()}) {
+    bank->add({0.0, 0.0}, 20.0);
+    bank->predict(1.0);
+  }
+  const Symmetric2 extra{50.0, 10.0, 100.0};
+  EXPECT_NEAR(blurred->innovation_covariance_px2(0, extra).xx, sharp->innovation_covariance_px2(0).xx + 50.0, 1e-9);
+  EXPECT_NEAR(blurred->innovation_covariance_px2(0, extra).xy, sharp->innovation_covariance_px2(0).xy + 10.0, 1e-9);
+  sharp->correct(0, {10.0, 10.0});
+  blurred->correct(0, {10.0, 10.0}, extra);
+  EXPECT_LT(blurred->estimate(0).position.y, sharp->estimate(0).position.y);
+  EXPECT_GT(blurred->estimate(0).covariance_px2.yy, sharp->estimate(0).covariance_px2.yy);
+}
+
 TEST_P(KalmanContract, TwoHalfStepsAreOneStep) {
+  // The turns of the others are taken at their mean over a step; see turn_banks_test.cpp.
+  if (turns(GetParam())) GTEST_SKIP() << "not linear";
   FilterOptions options = GetParam();
   if (std::holds_alternative<KalmanDiscreteOptions>(options)) {
     // Its Q is that of whole steps: those are joined exactly.
@@ -194,7 +260,9 @@ INSTANTIATE_TEST_SUITE_P(Filters, KalmanContract,
                                          FilterOptions{KalmanCvOptions{.noise_unit = NoiseUnit::px}},
                                          FilterOptions{KalmanCaOptions{.noise_unit = NoiseUnit::px}},
                                          FilterOptions{KalmanBoxOptions{}}, FilterOptions{KalmanDiscreteOptions{}},
-                                         FilterOptions{KalmanDiscreteOptions{.measurement_covariance = {9.0, 5.0, 4.0}}}));
+                                         FilterOptions{KalmanDiscreteOptions{.measurement_covariance = {9.0, 5.0, 4.0}}},
+                                         FilterOptions{ExtendedOptions{}}, FilterOptions{UnscentedOptions{}},
+                                         FilterOptions{ParticleOptions{}}));
 
 }  // namespace
 }  // namespace survtrack

@@ -20,7 +20,7 @@ std::string refusal(const std::string& option_and_value) {
 TEST(ConfigMessages, UnknownModelNamesPathAndChoices) {
   EXPECT_EQ(refusal("filter.model=kalmann"),
             "filter.model: unknown \"kalmann\"; one of: kalman_cv, kalman_ca, mean_velocity, kalman_discrete, "
-            "kalman_box, kalman_path");
+            "kalman_box, kalman_path, extended, unscented, particle");
   for (const std::string& model : all_models()) {
     const std::string path = model.substr(0, model.find('='));
     EXPECT_TRUE(contains(refusal(path + "=nothing"), path + ": unknown \"nothing\"; one of: ",

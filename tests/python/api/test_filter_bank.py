@@ -43,7 +43,11 @@ ALL_OPTIONS = [
     survtrack.MeanVelocityOptions(extrapolate_lost=True),
     survtrack.KalmanDiscreteOptions(),
     survtrack.KalmanBoxOptions(),
+    survtrack.ExtendedOptions(),
+    survtrack.UnscentedOptions(),
+    survtrack.ParticleOptions(),
 ]
+TURNING = {"extended", "unscented", "particle"}
 
 
 def reference(options: Any, start: Array) -> KalmanFilter:
@@ -152,8 +156,10 @@ def test_all_banks_converge_and_stay_finite(options: Any) -> None:
     for k in range(1, 200):
         bank.predict(0.5)
         bank.correct([[1.5 * k, -0.5 * k]])
-    assert bank.positions == pytest.approx(np.array([[1.5 * 199, -0.5 * 199]]), abs=1e-3)
-    assert bank.velocities == pytest.approx(np.array([[3.0, -1.0]]), abs=1e-3)
+    # The mean over the headings of what may turn is a little short.
+    near = 0.1 if options.model in TURNING else 1e-3
+    assert bank.positions == pytest.approx(np.array([[1.5 * 199, -0.5 * 199]]), abs=near)
+    assert bank.velocities == pytest.approx(np.array([[3.0, -1.0]]), abs=near)
     for _ in range(1000):
         bank.predict(10)
     values = (bank.positions, bank.velocities, bank.state(0), bank.innovation_covariances_px2)
@@ -173,7 +179,10 @@ def test_slots_move_down_when_one_is_removed(options: Any) -> None:
     assert len(bank) == 3 and bank.positions.tolist() == [[0, 0], [2, 20], [3, 30]]
     assert bank.add(7, 70) == 3
     alone = FilterBank(options)
-    alone.add(2, 20)
+    for _ in range(3):  # random numbers go by the turn of birth
+        alone.add(2, 20)
+    alone.remove(0)
+    alone.remove(0)
     for k in range(5):
         bank.predict(1)
         alone.predict(1)

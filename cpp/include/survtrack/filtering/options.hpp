@@ -12,6 +12,7 @@
 #include "survtrack/filtering/discrete_options.hpp"
 #include "survtrack/filtering/noise_unit.hpp"
 #include "survtrack/filtering/path_options.hpp"
+#include "survtrack/filtering/turn_options.hpp"
 
 namespace survtrack {
 
@@ -101,6 +102,6 @@ struct MeanVelocityOptions {
 };
 
 using FilterOptions = std::variant<KalmanCvOptions, KalmanCaOptions, MeanVelocityOptions, KalmanDiscreteOptions,
-                                   KalmanBoxOptions, KalmanPathOptions>;
+                                   KalmanBoxOptions, KalmanPathOptions, ExtendedOptions, UnscentedOptions, ParticleOptions>;
 
 }  // namespace survtrack

@@ -147,7 +147,8 @@ struct SingleLargestOptions {
   }
 };
 
-using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions, SingleLargestOptions>;
+using LifecycleOptions = std::variant<ConfirmAndLoseOptions, LostCountOptions, CountMedianOptions, RegionGrowthOptions,
+                                      SingleLargestOptions>;
 
 /// No vicinity factor is learned.
 struct NoVicinityOptions {
