@@ -23,10 +23,11 @@ using Positions = py::array_t<double, py::array::c_style | py::array::forcecast>
 
 /// A filter bank that checks what comes from Python.
 struct PyFilterBank {
-  PyFilterBank(const FilterOptions& options, const Paths* paths, const std::optional<std::pair<int, int>>& frame_size) {
+  PyFilterBank(const FilterOptions& options, const std::optional<Paths>& paths,
+               const std::optional<std::pair<int, int>>& frame_size) {
     if (const auto* along = std::get_if<KalmanPathOptions>(&options)) {
       auto path_bank = std::make_unique<PathBank>(*along);
-      if (paths != nullptr) path_bank->set_paths(*paths);
+      if (paths) path_bank->set_paths(*paths);
       bank = std::move(path_bank);
     } else {
       bank = make_filter_bank(options);
@@ -150,8 +151,8 @@ void bind_filtering(py::module_& module) {
   bind_path_state(module);
   py::class_<PyFilterBank>(module, "FilterBank",
                            "The filters of many objects in one, a slot an object; each is predicted and corrected in turn.")
-      .def(py::init<const FilterOptions&, const Paths*, const std::optional<std::pair<int, int>>&>(), py::arg("options"),
-           py::kw_only(), py::arg("paths") = py::none(), py::arg("frame_size") = py::none(),
+      .def(py::init<const FilterOptions&, const std::optional<Paths>&, const std::optional<std::pair<int, int>>&>(),
+           py::arg("options"), py::kw_only(), py::arg("paths") = py::none(), py::arg("frame_size") = py::none(),
            "paths: for kalman_path, which needs some; frame_size: (width, height) in px, for kalman_discrete with start\n"
            "frame_center, which needs it. Raises ConfigError and InputError.")
       .def("__len__", [](const PyFilterBank& self) { return self.bank->size(); })

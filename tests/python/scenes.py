@@ -29,6 +29,9 @@ MODELS: dict[str, tuple[type[Any], ...]] = {
         survtrack.KalmanDiscreteOptions,
         survtrack.KalmanBoxOptions,
         survtrack.KalmanPathOptions,
+        survtrack.ExtendedOptions,
+        survtrack.UnscentedOptions,
+        survtrack.ParticleOptions,
     ),
     "measurement": (survtrack.BoxCenterOptions, survtrack.CentroidOptions),
     "cost": (

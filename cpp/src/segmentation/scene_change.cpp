@@ -125,19 +125,17 @@ struct SceneGuard::State {
     next = 0;
   }
 
-  /// A plain mean of the first few frames, which then follows with the time constant: so that a background that was
-  /// taken then and one that is learned are both watched. Frames before are a ring, the oldest next.
+  /// A plain mean at first, later one with the time constant: what passed through the first frames fades soon. Frames
+  /// before are a ring, the oldest next.
   void learn(double time_s) {
     const double elapsed_s = time_s - previous_s;
-    const bool young = history.size() < static_cast<std::size_t>(options.frames_back);
-    const double memory_s = young ? std::min(options.memory_s, time_s - start_s) : options.memory_s;
-    const double rate = elapsed_s > 0.0 ? std::min(1.0, elapsed_s / memory_s) : 0.0;
+    const double rate = elapsed_s > 0.0 ? std::min(1.0, elapsed_s / std::min(options.memory_s, time_s - start_s)) : 0.0;
     const auto part = static_cast<float>(rate);
     for (std::size_t i = 0; i < means.size(); ++i) {
       means[i] += part * (static_cast<float>(now.levels[i]) - means[i]);
       reference.levels[i] = static_cast<std::uint8_t>(means[i] + 0.5F);
     }
-    if (young) {
+    if (history.size() < static_cast<std::size_t>(options.frames_back)) {
       history.push_back(now);
     } else {
       history[next % history.size()] = now;

@@ -31,7 +31,7 @@ TEST(ConfigMessages, UnknownModelNamesPathAndChoices) {
 }
 
 TEST(ConfigMessages, UnknownOptionNamesPathAndChoices) {
-  EXPECT_TRUE(contains(refusal("no_such=1"), "no_such: unknown option; one of: time_unit_s, segmenter, "));
+  EXPECT_TRUE(contains(refusal("no_such=1"), "no_such: unknown option; one of: time_unit_s, scene_change, segmenter, "));
   EXPECT_TRUE(contains(refusal("cleanup.no_such=1"), "cleanup.no_such: unknown option; one of: median_px, open_px"));
   EXPECT_TRUE(contains(refusal("filter.no_such=1"), "filter.no_such: unknown option; one of: model, noise_unit"));
   Config config;

@@ -26,6 +26,10 @@ OTHER_CHOICES = {
     "border": "strip",
     "detection": "frame_center",
     "checked": "as_published",
+    "mean": "median",
+    "running": "previous",
+    "restart": "relearn",
+    "eight": "four",
 }
 
 
@@ -41,10 +45,14 @@ def another(value: Any) -> Any:
     if isinstance(value, str):
         return OTHER_CHOICES[value]
     if isinstance(value, dict):
+        if value["model"] == "changed_pixels":
+            return survtrack.BlocksOptions()
         whole = survtrack.WholeFrameOptions()
         return whole if value["model"] == "none" else survtrack.NoMergeOptions()
     if isinstance(value, tuple):
         return tuple(another(number) for number in value)
+    if isinstance(value, int) and value > 1000:
+        return value // 2
     if isinstance(value, int):
         return 3 if value != 3 else 5
     return value / 2 if value else 1.0
@@ -277,7 +285,11 @@ def test_what_is_no_boolean_is_refused(value: Any) -> None:
             {"time_unit_s": 0},
             r"Config\.time_unit_s: 0 is not .* between 1e-06 and 3600$",
         ),
-        (survtrack.Config, {"tracker": {}}, "tracker: unknown option; one of: time_unit_s, seg"),
+        (
+            survtrack.Config,
+            {"tracker": {}},
+            "tracker: unknown option; one of: time_unit_s, scene_change, seg",
+        ),
         (survtrack.Config, {"cleanup": {"median": 3}}, r"Config\.cleanup\.median: unknown option"),
         (survtrack.Config, {"filter": {"model": "x"}}, r'Config\.filter\.model: unknown "x"; one'),
         (survtrack.Config, {"filter": {"model": 3}}, r"filter\.model: 3 is not allowed; .*kalman"),

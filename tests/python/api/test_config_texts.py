@@ -129,7 +129,7 @@ def test_choosing_a_model_resets_its_options() -> None:
         ("filter.model", r'"filter\.model" is not allowed; expected option=value'),
         ("=3", '"=3" is not allowed; expected option=value'),
         ("", '"" is not allowed; expected option=value'),
-        ("treshold=3", "treshold: unknown option; one of: time_unit_s, segmenter"),
+        ("treshold=3", "treshold: unknown option; one of: time_unit_s, scene_change, segmenter"),
         ("filter=3", "filter: 3 is not allowed; expected a table"),
         (
             "filter.position_noise=abc",

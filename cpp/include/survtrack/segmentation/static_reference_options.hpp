@@ -26,6 +26,7 @@ constexpr auto enum_names(ReferenceSource) {
 struct StaticReferenceOptions {
   static constexpr const char* model = "static_reference";
   static constexpr const char* meaning = "a background taken once: mean or median of the first frames, or a picture";
+  static constexpr bool reads_regions = true;  ///< parts of a frame can be read
 
   ReferenceSource source = ReferenceSource::mean;
   int frames = 5;
