@@ -19,12 +19,15 @@ __all__: list[str] = [
     "ActivityKind",
     "BeliefOptions",
     "BlobOptions",
+    "BlocksOptions",
     "Box",
     "BoxCenterOptions",
     "CentroidOptions",
+    "ChangedPixelsOptions",
     "Cleanup",
     "CleanupOptions",
     "CloseMergeOptions",
+    "ColorHistogramOptions",
     "Config",
     "ConfirmAndLoseOptions",
     "CountMedianOptions",
@@ -38,20 +41,29 @@ __all__: list[str] = [
     "EventKind",
     "Expectation",
     "ExtendedKalmanFilter",
+    "ExtendedOptions",
     "FilterBank",
+    "FilterConsistency",
     "FragmentMergeOptions",
     "FrameResult",
     "GaussianCostOptions",
     "GridVicinityOptions",
+    "GuardOptions",
+    "HistogramOptions",
     "History",
     "HistoryRecorder",
     "HornSchunckOptions",
     "HungarianOptions",
     "KalmanBank",
+    "KalmanBoxOptions",
     "KalmanCaOptions",
     "KalmanCvOptions",
+    "KalmanDiscreteOptions",
     "KalmanFilter",
+    "KalmanPathOptions",
     "KnnOptions",
+    "KolmogorovSmirnovOptions",
+    "LargestOptions",
     "Link",
     "LinkOptions",
     "Linked",
@@ -60,47 +72,74 @@ __all__: list[str] = [
     "Match",
     "MatchMatrixOptions",
     "MeanVelocityOptions",
+    "MeasuredTrack",
+    "MeasurementNoise",
+    "MeasurementRecorder",
     "Mog2Options",
     "MovingAverageOptions",
+    "NoAppearanceOptions",
     "NoGroupsOptions",
     "NoMergeOptions",
     "NoReentryOptions",
+    "NoRegionsOptions",
+    "NoSceneChangeOptions",
     "NoTilingOptions",
     "NoVicinityOptions",
+    "NoiseEstimate",
+    "NormalizedDifferenceOptions",
     "OldestFirstOptions",
     "OutputOptions",
     "ParticleFilter",
+    "ParticleOptions",
     "Path",
+    "PathState",
     "Paths",
     "Pattern",
     "PatternOptions",
     "Patterns",
     "Pipeline",
+    "PredictedRegionsOptions",
     "PredictedTrack",
+    "ProcessNoise",
     "QuadrantsOptions",
     "Random",
+    "Region",
+    "RegionGrowthOptions",
+    "RegionKind",
     "RememberOptions",
     "RowOrderOptions",
+    "SceneChange",
+    "SceneChangeKind",
+    "SceneGuard",
+    "SceneLook",
     "SceneScale",
     "Segmenter",
     "SelectiveOptions",
     "SharedBlobOptions",
+    "SingleLargestOptions",
+    "StaticReferenceOptions",
     "Track",
     "TrackStatus",
     "Tracker",
     "TrackingResult",
     "UnscentedKalmanFilter",
+    "UnscentedOptions",
     "VicinityGrid",
     "WholeFrameOptions",
     "assign_hungarian",
     "assign_oldest_first",
     "chi_square_quantile",
     "clean_mask",
+    "color_histogram",
     "continuous_white_noise",
     "discrete_white_noise",
     "falling_velocity_factor",
+    "filter_consistency",
     "find_blobs",
+    "histogram_intersection",
     "horn_schunck",
+    "identify_measurement_noise",
+    "identify_process_noise",
     "iou",
     "learn_patterns",
     "link_tracks",
@@ -109,6 +148,8 @@ __all__: list[str] = [
     "numeric_jacobian",
     "options_reference",
     "order_free_beliefs",
+    "predicted_region",
+    "predicted_region_on_path",
     "preset",
     "preset_names",
     "preset_text",
@@ -174,6 +215,36 @@ class Box:
     def y(self) -> float:
         """
         Top edge, px.
+        """
+
+class RegionKind(enum.Enum):
+    """
+    Why a part of a frame is read.
+    """
+
+    acquisition = 2
+    predicted = 1
+    refresh = 3
+    whole_frame = 0
+
+class Region:
+    """
+    A part of a frame that is read.
+    """
+    def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __repr__(self) -> str: ...
+    @property
+    def box(self) -> Box:
+        """
+        px
+        """
+    @property
+    def kind(self) -> RegionKind: ...
+    @property
+    def track_id(self) -> int:
+        """
+        Of a predicted one; 0: of a tentative track, or of none.
         """
 
 class Detection:
@@ -511,9 +582,14 @@ class Expectation:
         Places that the background must not learn.
         """
     @property
-    def regions(self) -> list[Box]:
+    def only_regions(self) -> bool:
         """
-        Where to look; empty: the whole frame.
+        Only regions are read, and what is refreshed in turn; else all is.
+        """
+    @property
+    def regions(self) -> list[Region]:
+        """
+        Where to look.
         """
     @property
     def scale(self) -> SceneScale:
@@ -936,6 +1012,557 @@ class KnnOptions:
         """
     @squared_distance_threshold.setter
     def squared_distance_threshold(self, value: typing.Never) -> None: ...
+
+class StaticReferenceOptions:
+    """
+    a background taken once: mean or median of the first frames, or a picture.
+
+    Args:
+        source: mean or median of the first frames, or a picture given before the first frame; one of "mean" "median" "picture"
+        frames: so many first frames are collected, with an empty mask; of a picture: after a change of the scene [frames]; between 1 and 1000
+        threshold_blue: T: foreground differs by more in this channel or in another (eq. 2); colour frames [grey levels]; between 0 and 255
+        threshold_green: the same for green [grey levels]; between 0 and 255
+        threshold_red: the same for red [grey levels]; between 0 and 255
+        threshold_grey: T of grey frames, for which the other three do not count [grey levels]; between 0 and 255
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "static_reference"
+    def __copy__(self) -> StaticReferenceOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> StaticReferenceOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        source: str = "mean",
+        frames: int = 5,
+        threshold_blue: float = 37.0,
+        threshold_green: float = 37.0,
+        threshold_red: float = 37.0,
+        threshold_grey: float = 37.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> StaticReferenceOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def frames(self) -> int:
+        """
+        so many first frames are collected, with an empty mask; of a picture: after a change of the scene [frames]
+        """
+    @frames.setter
+    def frames(self, value: typing.Never) -> None: ...
+    @property
+    def source(self) -> str:
+        """
+        mean or median of the first frames, or a picture given before the first frame
+        """
+    @source.setter
+    def source(self, value: typing.Never) -> None: ...
+    @property
+    def threshold_blue(self) -> float:
+        """
+        T: foreground differs by more in this channel or in another (eq. 2); colour frames [grey levels]
+        """
+    @threshold_blue.setter
+    def threshold_blue(self, value: typing.Never) -> None: ...
+    @property
+    def threshold_green(self) -> float:
+        """
+        the same for green [grey levels]
+        """
+    @threshold_green.setter
+    def threshold_green(self, value: typing.Never) -> None: ...
+    @property
+    def threshold_grey(self) -> float:
+        """
+        T of grey frames, for which the other three do not count [grey levels]
+        """
+    @threshold_grey.setter
+    def threshold_grey(self, value: typing.Never) -> None: ...
+    @property
+    def threshold_red(self) -> float:
+        """
+        the same for red [grey levels]
+        """
+    @threshold_red.setter
+    def threshold_red(self, value: typing.Never) -> None: ...
+
+class NormalizedDifferenceOptions:
+    """
+    difference divided by the local gradient, over a pyramid (Nashenda 2011, eq. 3).
+
+    Args:
+        reference: a running average of the frames before, or one frame some frames back; one of "running" "previous"
+        frames_back: how far back that one is; the first frames have an empty mask [frames]; between 1 and 1000
+        update_time_s: time constant of the running average [s]; above 0 and at most 1000000
+        levels: levels of the pyramid, the frame itself included; each halves the one before, down to sides of 8 px; between 1 and 10
+        neighbourhood_px: side of the square N over which is summed; 0 and 1: the pixel alone [px]; between 0 and 31, 0 or odd
+        constant: c, which keeps flat places from dividing by zero: the sum of squared gradients that counts half [grey levels^2/px^2]; above 0 and at most 1000000000
+        high: a level's value above this is high and replaces that of the coarser level [px]; between 0 and 1000000
+        threshold: foreground has a greater value on the finest level [px]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "normalized_difference"
+    def __copy__(self) -> NormalizedDifferenceOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NormalizedDifferenceOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        reference: str = "running",
+        frames_back: int = 1,
+        update_time_s: float = 20.0,
+        levels: int = 2,
+        neighbourhood_px: int = 3,
+        constant: float = 400.0,
+        high: float = 2.0,
+        threshold: float = 2.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NormalizedDifferenceOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def constant(self) -> float:
+        """
+        c, which keeps flat places from dividing by zero: the sum of squared gradients that counts half [grey levels^2/px^2]
+        """
+    @constant.setter
+    def constant(self, value: typing.Never) -> None: ...
+    @property
+    def frames_back(self) -> int:
+        """
+        how far back that one is; the first frames have an empty mask [frames]
+        """
+    @frames_back.setter
+    def frames_back(self, value: typing.Never) -> None: ...
+    @property
+    def high(self) -> float:
+        """
+        a level's value above this is high and replaces that of the coarser level [px]
+        """
+    @high.setter
+    def high(self, value: typing.Never) -> None: ...
+    @property
+    def levels(self) -> int:
+        """
+        levels of the pyramid, the frame itself included; each halves the one before, down to sides of 8 px
+        """
+    @levels.setter
+    def levels(self, value: typing.Never) -> None: ...
+    @property
+    def neighbourhood_px(self) -> int:
+        """
+        side of the square N over which is summed; 0 and 1: the pixel alone [px]
+        """
+    @neighbourhood_px.setter
+    def neighbourhood_px(self, value: typing.Never) -> None: ...
+    @property
+    def reference(self) -> str:
+        """
+        a running average of the frames before, or one frame some frames back
+        """
+    @reference.setter
+    def reference(self, value: typing.Never) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """
+        foreground has a greater value on the finest level [px]
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+    @property
+    def update_time_s(self) -> float:
+        """
+        time constant of the running average [s]
+        """
+    @update_time_s.setter
+    def update_time_s(self, value: typing.Never) -> None: ...
+
+class BlocksOptions:
+    """
+    part of the blocks whose mean or variance differs.
+
+    Args:
+        blocks_a_side: the frame is cut into this many columns and rows of blocks; between 1 and 64
+        mean_difference: a block changed when its mean differs by more [grey levels]; between 0 and 255
+        deviation_difference: or when its standard deviation, the root of its variance, does [grey levels]; between 0 and 255
+        threshold: the scene changed when more of the blocks did; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "blocks"
+    def __copy__(self) -> BlocksOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> BlocksOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        blocks_a_side: int = 8,
+        mean_difference: float = 15.0,
+        deviation_difference: float = 15.0,
+        threshold: float = 0.6,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> BlocksOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def blocks_a_side(self) -> int:
+        """
+        the frame is cut into this many columns and rows of blocks
+        """
+    @blocks_a_side.setter
+    def blocks_a_side(self, value: typing.Never) -> None: ...
+    @property
+    def deviation_difference(self) -> float:
+        """
+        or when its standard deviation, the root of its variance, does [grey levels]
+        """
+    @deviation_difference.setter
+    def deviation_difference(self, value: typing.Never) -> None: ...
+    @property
+    def mean_difference(self) -> float:
+        """
+        a block changed when its mean differs by more [grey levels]
+        """
+    @mean_difference.setter
+    def mean_difference(self, value: typing.Never) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """
+        the scene changed when more of the blocks did
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+
+class ChangedPixelsOptions:
+    """
+    part of the samples that differ in some channel.
+
+    Args:
+        difference: a sample changed when some channel differs by more [grey levels]; between 0 and 255
+        threshold: the scene changed when more of the samples did; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "changed_pixels"
+    def __copy__(self) -> ChangedPixelsOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> ChangedPixelsOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, difference: float = 25.0, threshold: float = 0.45) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> ChangedPixelsOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def difference(self) -> float:
+        """
+        a sample changed when some channel differs by more [grey levels]
+        """
+    @difference.setter
+    def difference(self, value: typing.Never) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """
+        the scene changed when more of the samples did
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+
+class HistogramOptions:
+    """
+    1 less the intersection of the colour histograms (Swain and Ballard 1991).
+
+    Args:
+        bins: bins of each channel; all their combinations are counted; between 2 and 32
+        threshold: the scene changed when the histograms have less than 1 less this in common; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "histogram"
+    def __copy__(self) -> HistogramOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> HistogramOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, bins: int = 8, threshold: float = 0.45) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> HistogramOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def bins(self) -> int:
+        """
+        bins of each channel; all their combinations are counted
+        """
+    @bins.setter
+    def bins(self, value: typing.Never) -> None: ...
+    @property
+    def threshold(self) -> float:
+        """
+        the scene changed when the histograms have less than 1 less this in common
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+
+class KolmogorovSmirnovOptions:
+    """
+    greatest difference of the cumulative distributions of grey levels.
+
+    Args:
+        threshold: the scene changed when the distributions differ by more; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "kolmogorov_smirnov"
+    def __copy__(self) -> KolmogorovSmirnovOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KolmogorovSmirnovOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, threshold: float = 0.3) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> KolmogorovSmirnovOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def threshold(self) -> float:
+        """
+        the scene changed when the distributions differ by more
+        """
+    @threshold.setter
+    def threshold(self, value: typing.Never) -> None: ...
+
+class NoSceneChangeOptions:
+    """
+    nothing watches the scene as a whole; a background model may do so itself.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoSceneChangeOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoSceneChangeOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoSceneChangeOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class GuardOptions:
+    """
+    watches for cuts, lamps, infrared, black frames and gradual changes.
+
+    Args:
+        action: the background starts anew; the same with empty masks while it learns; or only the event; one of "restart" "relearn" "report"
+        measure: how two pictures of the scene are compared
+        frames_back: a change within this many frames is a cut or a lamp, a slower one is gradual [frames]; between 1 and 1000
+        memory_s: time constant of the long-term reference, a mean of what was seen [s]; above 0 and at most 1000000000
+        samples: pixels of the frame that are looked at, at most, on a grid; between 16 and 1000000
+        low_pass_px: side of the square whose mean is a sample; 0 and 1: the pixel alone [px]; between 0 and 31, 0 or odd
+        relearn_s: how long masks stay empty with action relearn [s]; between 0 and 3600
+        same_scene_correlation: a sudden change that leaves at least this correlation of grey levels is one of brightness, else a cut; between -1 and 1
+        color_level: colour can be lost, or come back, when the mean of largest less smallest channel is this large with it [grey levels]; above 0 and at most 255
+        color_part: colour is lost when less than this part of it is left; between 0 and 1
+        black_level: a sample is black when no channel is above this [grey levels]; between 0 and 255
+        black_part: a frame is black when at least this part of its samples is, and the reference is not; above 0 and at most 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "guard"
+    def __copy__(self) -> GuardOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> GuardOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        action: str = "restart",
+        measure: ChangedPixelsOptions
+        | BlocksOptions
+        | HistogramOptions
+        | KolmogorovSmirnovOptions = ...,
+        frames_back: int = 5,
+        memory_s: float = 300.0,
+        samples: int = 2048,
+        low_pass_px: int = 3,
+        relearn_s: float = 2.0,
+        same_scene_correlation: float = 0.55,
+        color_level: float = 6.0,
+        color_part: float = 0.25,
+        black_level: int = 24,
+        black_part: float = 0.95,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> GuardOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def action(self) -> str:
+        """
+        the background starts anew; the same with empty masks while it learns; or only the event
+        """
+    @action.setter
+    def action(self, value: typing.Never) -> None: ...
+    @property
+    def black_level(self) -> int:
+        """
+        a sample is black when no channel is above this [grey levels]
+        """
+    @black_level.setter
+    def black_level(self, value: typing.Never) -> None: ...
+    @property
+    def black_part(self) -> float:
+        """
+        a frame is black when at least this part of its samples is, and the reference is not
+        """
+    @black_part.setter
+    def black_part(self, value: typing.Never) -> None: ...
+    @property
+    def color_level(self) -> float:
+        """
+        colour can be lost, or come back, when the mean of largest less smallest channel is this large with it [grey levels]
+        """
+    @color_level.setter
+    def color_level(self, value: typing.Never) -> None: ...
+    @property
+    def color_part(self) -> float:
+        """
+        colour is lost when less than this part of it is left
+        """
+    @color_part.setter
+    def color_part(self, value: typing.Never) -> None: ...
+    @property
+    def frames_back(self) -> int:
+        """
+        a change within this many frames is a cut or a lamp, a slower one is gradual [frames]
+        """
+    @frames_back.setter
+    def frames_back(self, value: typing.Never) -> None: ...
+    @property
+    def low_pass_px(self) -> int:
+        """
+        side of the square whose mean is a sample; 0 and 1: the pixel alone [px]
+        """
+    @low_pass_px.setter
+    def low_pass_px(self, value: typing.Never) -> None: ...
+    @property
+    def measure(
+        self,
+    ) -> ChangedPixelsOptions | BlocksOptions | HistogramOptions | KolmogorovSmirnovOptions:
+        """
+        how two pictures of the scene are compared
+        """
+    @measure.setter
+    def measure(self, value: typing.Never) -> None: ...
+    @property
+    def memory_s(self) -> float:
+        """
+        time constant of the long-term reference, a mean of what was seen [s]
+        """
+    @memory_s.setter
+    def memory_s(self, value: typing.Never) -> None: ...
+    @property
+    def relearn_s(self) -> float:
+        """
+        how long masks stay empty with action relearn [s]
+        """
+    @relearn_s.setter
+    def relearn_s(self, value: typing.Never) -> None: ...
+    @property
+    def same_scene_correlation(self) -> float:
+        """
+        a sudden change that leaves at least this correlation of grey levels is one of brightness, else a cut
+        """
+    @same_scene_correlation.setter
+    def same_scene_correlation(self, value: typing.Never) -> None: ...
+    @property
+    def samples(self) -> int:
+        """
+        pixels of the frame that are looked at, at most, on a grid
+        """
+    @samples.setter
+    def samples(self, value: typing.Never) -> None: ...
 
 class NoTilingOptions:
     """
@@ -1360,6 +1987,7 @@ class BlobOptions:
         min_area_px: smaller blobs are dropped (S of Narayana 2007, 3.3) [px^2]; between 0 and 1000000000
         min_area_fraction: the same, as a part of the frame's area; the larger counts; between 0 and 1
         max_blobs: of more blobs in one frame the largest are kept; between 1 and 100000
+        connectivity: pixels of one region meet at an edge, or at a corner too; one of "four" "eight"
         merge: which regions are one blob
         share_blobs: divide a blob that covers several expected tracks among them
         share_cover: a track is covered when more than this part of its expected box is; between 0 and 1
@@ -1378,6 +2006,7 @@ class BlobOptions:
         min_area_px: float = 0.0,
         min_area_fraction: float = 0.0001,
         max_blobs: int = 500,
+        connectivity: str = "eight",
         merge: FragmentMergeOptions | CloseMergeOptions | NoMergeOptions = ...,
         share_blobs: bool = True,
         share_cover: float = 0.5,
@@ -1397,6 +2026,13 @@ class BlobOptions:
         """
         All options by name, and the model's name if it is one of several.
         """
+    @property
+    def connectivity(self) -> str:
+        """
+        pixels of one region meet at an edge, or at a corner too
+        """
+    @connectivity.setter
+    def connectivity(self, value: typing.Never) -> None: ...
     @property
     def max_blobs(self) -> int:
         """
@@ -1667,6 +2303,615 @@ class MeanVelocityOptions:
         """
     @window_steps.setter
     def window_steps(self, value: typing.Never) -> None: ...
+
+class KalmanDiscreteOptions:
+    """
+    Kalman filter, constant velocity, with the covariances of one step as given.
+
+    Args:
+        process_variances: diagonal of Q for x, y, vx, vy: what a step adds to the variances [px^2, (px/unit)^2]; 4 numbers, each between 0 and 1000000000000
+        measurement_covariance: R as xx, xy, yy [px^2]; 3 numbers, each between -1000000000000 and 1000000000000
+        initial_variances: diagonal of a new filter's P [px^2, (px/unit)^2]; 4 numbers, each between 0 and 1000000000000
+        control_input: B u, which a step adds to x, y, vx, vy [px, px/unit]; 4 numbers, each between -1000000 and 1000000
+        step_time: time of the step that Q and B u are given for [unit]; between 1e-06 and 1000000
+        start: where a new filter starts; frame_center needs the frame's size; one of "detection" "frame_center"
+        covariances: whether R has to be a covariance; as_published takes any, to reproduce what is printed; one of "checked" "as_published"
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "kalman_discrete"
+    def __copy__(self) -> KalmanDiscreteOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KalmanDiscreteOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        process_variances: collections.abc.Sequence[float] = (1.0, 1.0, 400.0, 400.0),
+        measurement_covariance: collections.abc.Sequence[float] = (4.0, 0.0, 4.0),
+        initial_variances: collections.abc.Sequence[float] = (4.0, 4.0, 2500.0, 2500.0),
+        control_input: collections.abc.Sequence[float] = (0.0, 0.0, 0.0, 0.0),
+        step_time: float = 1.0,
+        start: str = "detection",
+        covariances: str = "checked",
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> KalmanDiscreteOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def control_input(self) -> tuple[float, float, float, float]:
+        """
+        B u, which a step adds to x, y, vx, vy [px, px/unit]
+        """
+    @control_input.setter
+    def control_input(self, value: typing.Never) -> None: ...
+    @property
+    def covariances(self) -> str:
+        """
+        whether R has to be a covariance; as_published takes any, to reproduce what is printed
+        """
+    @covariances.setter
+    def covariances(self, value: typing.Never) -> None: ...
+    @property
+    def initial_variances(self) -> tuple[float, float, float, float]:
+        """
+        diagonal of a new filter's P [px^2, (px/unit)^2]
+        """
+    @initial_variances.setter
+    def initial_variances(self, value: typing.Never) -> None: ...
+    @property
+    def measurement_covariance(self) -> tuple[float, float, float]:
+        """
+        R as xx, xy, yy [px^2]
+        """
+    @measurement_covariance.setter
+    def measurement_covariance(self, value: typing.Never) -> None: ...
+    @property
+    def process_variances(self) -> tuple[float, float, float, float]:
+        """
+        diagonal of Q for x, y, vx, vy: what a step adds to the variances [px^2, (px/unit)^2]
+        """
+    @process_variances.setter
+    def process_variances(self, value: typing.Never) -> None: ...
+    @property
+    def start(self) -> str:
+        """
+        where a new filter starts; frame_center needs the frame's size
+        """
+    @start.setter
+    def start(self, value: typing.Never) -> None: ...
+    @property
+    def step_time(self) -> float:
+        """
+        time of the step that Q and B u are given for [unit]
+        """
+    @step_time.setter
+    def step_time(self, value: typing.Never) -> None: ...
+
+class KalmanBoxOptions:
+    """
+    Kalman filter over centre, width and height of the box, constant rates.
+
+    Args:
+        noise_unit: the length that noises are measured in; one of "object_size" "px"
+        velocity_noise: standard deviation of the velocity gained or lost in one time unit (root of Q's density) [length/unit]; between 1e-06 and 1000000
+        position_noise: standard deviation of a measured centre (root of R) [length]; between 1e-06 and 1000000
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
+        size_rate_noise: the same as velocity_noise of width and height [length/unit]; between 1e-06 and 1000000
+        size_noise: standard deviation of a measured width or height [length]; between 1e-06 and 1000000
+        initial_size_rate: standard deviation of a new track's rates of width and height [length/unit]; between 0 and 1000000
+        lost_damping_time: the rates of an unmatched track fall by 1/e in this time; 0: they do not fall [unit]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "kalman_box"
+    def __copy__(self) -> KalmanBoxOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KalmanBoxOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        noise_unit: str = "object_size",
+        velocity_noise: float = 0.75,
+        position_noise: float = 0.06,
+        initial_velocity: float = 1.0,
+        size_rate_noise: float = 0.05,
+        size_noise: float = 0.15,
+        initial_size_rate: float = 0.1,
+        lost_damping_time: float = 2.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> KalmanBoxOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def initial_size_rate(self) -> float:
+        """
+        standard deviation of a new track's rates of width and height [length/unit]
+        """
+    @initial_size_rate.setter
+    def initial_size_rate(self, value: typing.Never) -> None: ...
+    @property
+    def initial_velocity(self) -> float:
+        """
+        standard deviation of a new track's velocity [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def lost_damping_time(self) -> float:
+        """
+        the rates of an unmatched track fall by 1/e in this time; 0: they do not fall [unit]
+        """
+    @lost_damping_time.setter
+    def lost_damping_time(self, value: typing.Never) -> None: ...
+    @property
+    def noise_unit(self) -> str:
+        """
+        the length that noises are measured in
+        """
+    @noise_unit.setter
+    def noise_unit(self, value: typing.Never) -> None: ...
+    @property
+    def position_noise(self) -> float:
+        """
+        standard deviation of a measured centre (root of R) [length]
+        """
+    @position_noise.setter
+    def position_noise(self, value: typing.Never) -> None: ...
+    @property
+    def size_noise(self) -> float:
+        """
+        standard deviation of a measured width or height [length]
+        """
+    @size_noise.setter
+    def size_noise(self, value: typing.Never) -> None: ...
+    @property
+    def size_rate_noise(self) -> float:
+        """
+        the same as velocity_noise of width and height [length/unit]
+        """
+    @size_rate_noise.setter
+    def size_rate_noise(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_noise(self) -> float:
+        """
+        standard deviation of the velocity gained or lost in one time unit (root of Q's density) [length/unit]
+        """
+    @velocity_noise.setter
+    def velocity_noise(self, value: typing.Never) -> None: ...
+
+class KalmanPathOptions:
+    """
+    Kalman filter along and across the nearest path (O'Malley 2000).
+
+    Args:
+        process_variances: diagonal of Q for S, T, vS, vT: what a step adds to the variances [length^2, (length/unit)^2]; 4 numbers, each between 0 and 1000000000000
+        measurement_variances: diagonal of R for S, T [length^2]; 2 numbers, each between 1e-12 and 1000000000000
+        initial_variances: diagonal of a new filter's P [length^2, (length/unit)^2]; 4 numbers, each between 0 and 1000000000000
+        initial_velocity: vS, vT of a new filter [length/unit]; 2 numbers, each between -1000000 and 1000000
+        step_time: time of the step that Q is given for [unit]; between 1e-06 and 1000000
+        unit_px: length that the others are measured in [px]; between 1e-06 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "kalman_path"
+    def __copy__(self) -> KalmanPathOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> KalmanPathOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        process_variances: collections.abc.Sequence[float] = (1.0, 1.0, 400.0, 25.0),
+        measurement_variances: collections.abc.Sequence[float] = (4.0, 4.0),
+        initial_variances: collections.abc.Sequence[float] = (4.0, 4.0, 10000.0, 100.0),
+        initial_velocity: collections.abc.Sequence[float] = (0.0, 0.0),
+        step_time: float = 1.0,
+        unit_px: float = 1.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> KalmanPathOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def initial_variances(self) -> tuple[float, float, float, float]:
+        """
+        diagonal of a new filter's P [length^2, (length/unit)^2]
+        """
+    @initial_variances.setter
+    def initial_variances(self, value: typing.Never) -> None: ...
+    @property
+    def initial_velocity(self) -> tuple[float, float]:
+        """
+        vS, vT of a new filter [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def measurement_variances(self) -> tuple[float, float]:
+        """
+        diagonal of R for S, T [length^2]
+        """
+    @measurement_variances.setter
+    def measurement_variances(self, value: typing.Never) -> None: ...
+    @property
+    def process_variances(self) -> tuple[float, float, float, float]:
+        """
+        diagonal of Q for S, T, vS, vT: what a step adds to the variances [length^2, (length/unit)^2]
+        """
+    @process_variances.setter
+    def process_variances(self, value: typing.Never) -> None: ...
+    @property
+    def step_time(self) -> float:
+        """
+        time of the step that Q is given for [unit]
+        """
+    @step_time.setter
+    def step_time(self, value: typing.Never) -> None: ...
+    @property
+    def unit_px(self) -> float:
+        """
+        length that the others are measured in [px]
+        """
+    @unit_px.setter
+    def unit_px(self, value: typing.Never) -> None: ...
+
+class ExtendedOptions:
+    """
+    extended Kalman filter, coordinated turn.
+
+    Args:
+        noise_unit: the length that noises are measured in; one of "object_size" "px"
+        velocity_noise: standard deviation of the velocity gained or lost in one time unit beyond the turn (root of Q's density) [length/unit]; between 1e-06 and 1000000
+        turn_rate: standard deviation of the turn rate [rad/unit]; between 1e-06 and 1000
+        turn_time: the turn rate is forgotten to 1/e in this time [unit]; between 0.001 and 1000000
+        position_noise: standard deviation of a measured position (root of R) [length]; between 1e-06 and 1000000
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
+        lost_damping_time: the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "extended"
+    def __copy__(self) -> ExtendedOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> ExtendedOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        noise_unit: str = "object_size",
+        velocity_noise: float = 0.75,
+        turn_rate: float = 0.5,
+        turn_time: float = 1.0,
+        position_noise: float = 0.06,
+        initial_velocity: float = 1.0,
+        lost_damping_time: float = 2.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> ExtendedOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def initial_velocity(self) -> float:
+        """
+        standard deviation of a new track's velocity [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def lost_damping_time(self) -> float:
+        """
+        the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]
+        """
+    @lost_damping_time.setter
+    def lost_damping_time(self, value: typing.Never) -> None: ...
+    @property
+    def noise_unit(self) -> str:
+        """
+        the length that noises are measured in
+        """
+    @noise_unit.setter
+    def noise_unit(self, value: typing.Never) -> None: ...
+    @property
+    def position_noise(self) -> float:
+        """
+        standard deviation of a measured position (root of R) [length]
+        """
+    @position_noise.setter
+    def position_noise(self, value: typing.Never) -> None: ...
+    @property
+    def turn_rate(self) -> float:
+        """
+        standard deviation of the turn rate [rad/unit]
+        """
+    @turn_rate.setter
+    def turn_rate(self, value: typing.Never) -> None: ...
+    @property
+    def turn_time(self) -> float:
+        """
+        the turn rate is forgotten to 1/e in this time [unit]
+        """
+    @turn_time.setter
+    def turn_time(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_noise(self) -> float:
+        """
+        standard deviation of the velocity gained or lost in one time unit beyond the turn (root of Q's density) [length/unit]
+        """
+    @velocity_noise.setter
+    def velocity_noise(self, value: typing.Never) -> None: ...
+
+class UnscentedOptions:
+    """
+    unscented Kalman filter, coordinated turn.
+
+    Args:
+        noise_unit: the length that noises are measured in; one of "object_size" "px"
+        velocity_noise: standard deviation of the velocity gained or lost in one time unit beyond the turn (root of Q's density) [length/unit]; between 1e-06 and 1000000
+        turn_rate: standard deviation of the turn rate [rad/unit]; between 1e-06 and 1000
+        turn_time: the turn rate is forgotten to 1/e in this time [unit]; between 0.001 and 1000000
+        position_noise: standard deviation of a measured position (root of R) [length]; between 1e-06 and 1000000
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
+        lost_damping_time: the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]; between 0 and 1000000
+        alpha: spread of the sigma points; between 0.001 and 1
+        beta: weight of the middle one in covariances; 2 is that of a Gaussian; between 1 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "unscented"
+    def __copy__(self) -> UnscentedOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> UnscentedOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        noise_unit: str = "object_size",
+        velocity_noise: float = 0.75,
+        turn_rate: float = 0.5,
+        turn_time: float = 1.0,
+        position_noise: float = 0.06,
+        initial_velocity: float = 1.0,
+        lost_damping_time: float = 2.0,
+        alpha: float = 0.5,
+        beta: float = 2.0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> UnscentedOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def alpha(self) -> float:
+        """
+        spread of the sigma points
+        """
+    @alpha.setter
+    def alpha(self, value: typing.Never) -> None: ...
+    @property
+    def beta(self) -> float:
+        """
+        weight of the middle one in covariances; 2 is that of a Gaussian
+        """
+    @beta.setter
+    def beta(self, value: typing.Never) -> None: ...
+    @property
+    def initial_velocity(self) -> float:
+        """
+        standard deviation of a new track's velocity [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def lost_damping_time(self) -> float:
+        """
+        the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]
+        """
+    @lost_damping_time.setter
+    def lost_damping_time(self, value: typing.Never) -> None: ...
+    @property
+    def noise_unit(self) -> str:
+        """
+        the length that noises are measured in
+        """
+    @noise_unit.setter
+    def noise_unit(self, value: typing.Never) -> None: ...
+    @property
+    def position_noise(self) -> float:
+        """
+        standard deviation of a measured position (root of R) [length]
+        """
+    @position_noise.setter
+    def position_noise(self, value: typing.Never) -> None: ...
+    @property
+    def turn_rate(self) -> float:
+        """
+        standard deviation of the turn rate [rad/unit]
+        """
+    @turn_rate.setter
+    def turn_rate(self, value: typing.Never) -> None: ...
+    @property
+    def turn_time(self) -> float:
+        """
+        the turn rate is forgotten to 1/e in this time [unit]
+        """
+    @turn_time.setter
+    def turn_time(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_noise(self) -> float:
+        """
+        standard deviation of the velocity gained or lost in one time unit beyond the turn (root of Q's density) [length/unit]
+        """
+    @velocity_noise.setter
+    def velocity_noise(self, value: typing.Never) -> None: ...
+
+class ParticleOptions:
+    """
+    particle filter, coordinated turn.
+
+    Args:
+        noise_unit: the length that noises are measured in; one of "object_size" "px"
+        velocity_noise: standard deviation of the velocity gained or lost in one time unit beyond the turn (root of Q's density) [length/unit]; between 1e-06 and 1000000
+        turn_rate: standard deviation of the turn rate [rad/unit]; between 1e-06 and 1000
+        turn_time: the turn rate is forgotten to 1/e in this time [unit]; between 0.001 and 1000000
+        position_noise: standard deviation of a measured position (root of R) [length]; between 1e-06 and 1000000
+        initial_velocity: standard deviation of a new track's velocity [length/unit]; between 0 and 1000000
+        lost_damping_time: the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]; between 0 and 1000000
+        particles: of each track [particles]; between 1 and 100000
+        resample_below: drawn anew when the effective sample size falls under this share of them; 0: never; between 0 and 1
+        seed: of the random numbers; each track has its own, by its turn of birth; between 0 and 2147483647
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "particle"
+    def __copy__(self) -> ParticleOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> ParticleOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        noise_unit: str = "object_size",
+        velocity_noise: float = 0.75,
+        turn_rate: float = 0.5,
+        turn_time: float = 1.0,
+        position_noise: float = 0.06,
+        initial_velocity: float = 1.0,
+        lost_damping_time: float = 2.0,
+        particles: int = 100,
+        resample_below: float = 0.5,
+        seed: int = 0,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> ParticleOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def initial_velocity(self) -> float:
+        """
+        standard deviation of a new track's velocity [length/unit]
+        """
+    @initial_velocity.setter
+    def initial_velocity(self, value: typing.Never) -> None: ...
+    @property
+    def lost_damping_time(self) -> float:
+        """
+        the velocity of an unmatched track falls by 1/e in this time; 0: it does not fall [unit]
+        """
+    @lost_damping_time.setter
+    def lost_damping_time(self, value: typing.Never) -> None: ...
+    @property
+    def noise_unit(self) -> str:
+        """
+        the length that noises are measured in
+        """
+    @noise_unit.setter
+    def noise_unit(self, value: typing.Never) -> None: ...
+    @property
+    def particles(self) -> int:
+        """
+        of each track [particles]
+        """
+    @particles.setter
+    def particles(self, value: typing.Never) -> None: ...
+    @property
+    def position_noise(self) -> float:
+        """
+        standard deviation of a measured position (root of R) [length]
+        """
+    @position_noise.setter
+    def position_noise(self, value: typing.Never) -> None: ...
+    @property
+    def resample_below(self) -> float:
+        """
+        drawn anew when the effective sample size falls under this share of them; 0: never
+        """
+    @resample_below.setter
+    def resample_below(self, value: typing.Never) -> None: ...
+    @property
+    def seed(self) -> int:
+        """
+        of the random numbers; each track has its own, by its turn of birth
+        """
+    @seed.setter
+    def seed(self, value: typing.Never) -> None: ...
+    @property
+    def turn_rate(self) -> float:
+        """
+        standard deviation of the turn rate [rad/unit]
+        """
+    @turn_rate.setter
+    def turn_rate(self, value: typing.Never) -> None: ...
+    @property
+    def turn_time(self) -> float:
+        """
+        the turn rate is forgotten to 1/e in this time [unit]
+        """
+    @turn_time.setter
+    def turn_time(self, value: typing.Never) -> None: ...
+    @property
+    def velocity_noise(self) -> float:
+        """
+        standard deviation of the velocity gained or lost in one time unit beyond the turn (root of Q's density) [length/unit]
+        """
+    @velocity_noise.setter
+    def velocity_noise(self, value: typing.Never) -> None: ...
 
 class BoxCenterOptions:
     """
@@ -1964,6 +3209,88 @@ class DistanceOptions:
     @max_distance_px.setter
     def max_distance_px(self, value: typing.Never) -> None: ...
 
+class NoAppearanceOptions:
+    """
+    nothing beside the cost.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoAppearanceOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoAppearanceOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoAppearanceOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class ColorHistogramOptions:
+    """
+    intersection with the track's colour histogram (Swain and Ballard 1991).
+
+    Args:
+        weight: what a pair without a colour in common costs more, in the cost's own unit; between 0 and 1000000
+        refresh_rate: how far the track's histogram moves to that of its detection; 0: it stays the first; between 0 and 1
+        min_intersection: pairs that intersect less are refused; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "color_histogram"
+    def __copy__(self) -> ColorHistogramOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> ColorHistogramOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self, *, weight: float = 4.0, refresh_rate: float = 0.1, min_intersection: float = 0.0
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> ColorHistogramOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def min_intersection(self) -> float:
+        """
+        pairs that intersect less are refused
+        """
+    @min_intersection.setter
+    def min_intersection(self, value: typing.Never) -> None: ...
+    @property
+    def refresh_rate(self) -> float:
+        """
+        how far the track's histogram moves to that of its detection; 0: it stays the first
+        """
+    @refresh_rate.setter
+    def refresh_rate(self, value: typing.Never) -> None: ...
+    @property
+    def weight(self) -> float:
+        """
+        what a pair without a colour in common costs more, in the cost's own unit
+        """
+    @weight.setter
+    def weight(self, value: typing.Never) -> None: ...
+
 class HungarianOptions:
     """
     optimal one-to-one assignment (Kuhn 1955).
@@ -2048,6 +3375,34 @@ class RowOrderOptions:
     def __repr__(self) -> str: ...
     def __setstate__(self, arg0: str) -> None: ...
     def replace(self, **options: typing.Any) -> RowOrderOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class LargestOptions:
+    """
+    tracks in order of age, each takes the largest detection that its cost does not refuse (Nashenda 2011).
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "largest"
+    def __copy__(self) -> LargestOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> LargestOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> LargestOptions:
         """
         A copy with some options changed.
         """
@@ -2243,6 +3598,94 @@ class CountMedianOptions:
         """
     @restart_after_s.setter
     def restart_after_s(self, value: typing.Never) -> None: ...
+
+class RegionGrowthOptions:
+    """
+    followed from an acquisition region on; predicted while not found, up to a limit (O'Malley 2000).
+
+    Args:
+        lost_after_frames: the next miss in a row closes a track [frames]; between 0 and 1000000
+        max_objects: most tracks at a time; between 1 and 100000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "region_growth"
+    def __copy__(self) -> RegionGrowthOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> RegionGrowthOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, lost_after_frames: int = 15, max_objects: int = 100) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> RegionGrowthOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def lost_after_frames(self) -> int:
+        """
+        the next miss in a row closes a track [frames]
+        """
+    @lost_after_frames.setter
+    def lost_after_frames(self, value: typing.Never) -> None: ...
+    @property
+    def max_objects(self) -> int:
+        """
+        most tracks at a time
+        """
+    @max_objects.setter
+    def max_objects(self, value: typing.Never) -> None: ...
+
+class SingleLargestOptions:
+    """
+    one track at a time, started by the largest detection (Nashenda 2011).
+
+    Args:
+        lost_after_frames: the next miss in a row closes the track; 0: it is predicted for ever [frames]; between 0 and 1000000
+        restart_after_frames: a track that missed more starts anew where it is seen; 0: it never does [frames]; between 0 and 1000000
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "single_largest"
+    def __copy__(self) -> SingleLargestOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> SingleLargestOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self, *, lost_after_frames: int = 0, restart_after_frames: int = 0) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> SingleLargestOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def lost_after_frames(self) -> int:
+        """
+        the next miss in a row closes the track; 0: it is predicted for ever [frames]
+        """
+    @lost_after_frames.setter
+    def lost_after_frames(self, value: typing.Never) -> None: ...
+    @property
+    def restart_after_frames(self) -> int:
+        """
+        a track that missed more starts anew where it is seen; 0: it never does [frames]
+        """
+    @restart_after_frames.setter
+    def restart_after_frames(self, value: typing.Never) -> None: ...
 
 class NoGroupsOptions:
     """
@@ -2574,6 +4017,155 @@ class GridVicinityOptions:
     @max_factor.setter
     def max_factor(self, value: typing.Never) -> None: ...
 
+class NoRegionsOptions:
+    """
+    every frame is read whole.
+
+    Args:
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "none"
+    def __copy__(self) -> NoRegionsOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> NoRegionsOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(self) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> NoRegionsOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+
+class PredictedRegionsOptions:
+    """
+    only where tracks are expected, and newcomers (O'Malley 2000).
+
+    Args:
+        sigmas_along: reach of a region beyond the predicted position, along the way of the track [standard deviations]; between 0 and 100
+        sigmas_across: the same across it, to both sides [standard deviations]; between 0 and 100
+        forward_only: along its way a region begins where the track was, not before the prediction (O'Malley 2000)
+        whole_object: a region holds the whole box wherever in it the position is; if not, each side is the box's longer one at least (O'Malley 2000)
+        margin: added on every side [longer sides of the box]; between 0 and 100
+        growth: added on every side for each second that a track is lost [longer sides of the box/s]; between 0 and 100
+        acquisition: where newcomers are looked for; one of "border" "zones" "strip"
+        border: width of the band along the border, with acquisition border [frame heights]; above 0 and at most 1
+        refresh_frames: a strip a frame is read in turn, so that each place is seen once in so many; 0: none is [frames]; between 0 and 100000
+        whole_above: a frame of which more than this part would be read is read whole; between 0 and 1
+    """
+
+    __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
+    model: typing.ClassVar[str] = "predicted"
+    def __copy__(self) -> PredictedRegionsOptions: ...
+    def __deepcopy__(self, memo: dict[typing.Any, typing.Any]) -> PredictedRegionsOptions: ...
+    def __eq__(self, other: typing.Any) -> bool: ...
+    def __getstate__(self) -> str: ...
+    def __init__(
+        self,
+        *,
+        sigmas_along: float = 3.0,
+        sigmas_across: float = 3.0,
+        forward_only: bool = False,
+        whole_object: bool = True,
+        margin: float = 0.2,
+        growth: float = 1.5,
+        acquisition: str = "border",
+        border: float = 0.05,
+        refresh_frames: int = 20,
+        whole_above: float = 0.7,
+    ) -> None:
+        """
+        Raises ConfigError naming the option and what is allowed.
+        """
+    def __repr__(self) -> str: ...
+    def __setstate__(self, arg0: str) -> None: ...
+    def replace(self, **options: typing.Any) -> PredictedRegionsOptions:
+        """
+        A copy with some options changed.
+        """
+    def to_dict(self) -> dict[str, typing.Any]:
+        """
+        All options by name, and the model's name if it is one of several.
+        """
+    @property
+    def acquisition(self) -> str:
+        """
+        where newcomers are looked for
+        """
+    @acquisition.setter
+    def acquisition(self, value: typing.Never) -> None: ...
+    @property
+    def border(self) -> float:
+        """
+        width of the band along the border, with acquisition border [frame heights]
+        """
+    @border.setter
+    def border(self, value: typing.Never) -> None: ...
+    @property
+    def forward_only(self) -> bool:
+        """
+        along its way a region begins where the track was, not before the prediction (O'Malley 2000)
+        """
+    @forward_only.setter
+    def forward_only(self, value: typing.Never) -> None: ...
+    @property
+    def growth(self) -> float:
+        """
+        added on every side for each second that a track is lost [longer sides of the box/s]
+        """
+    @growth.setter
+    def growth(self, value: typing.Never) -> None: ...
+    @property
+    def margin(self) -> float:
+        """
+        added on every side [longer sides of the box]
+        """
+    @margin.setter
+    def margin(self, value: typing.Never) -> None: ...
+    @property
+    def refresh_frames(self) -> int:
+        """
+        a strip a frame is read in turn, so that each place is seen once in so many; 0: none is [frames]
+        """
+    @refresh_frames.setter
+    def refresh_frames(self, value: typing.Never) -> None: ...
+    @property
+    def sigmas_across(self) -> float:
+        """
+        the same across it, to both sides [standard deviations]
+        """
+    @sigmas_across.setter
+    def sigmas_across(self, value: typing.Never) -> None: ...
+    @property
+    def sigmas_along(self) -> float:
+        """
+        reach of a region beyond the predicted position, along the way of the track [standard deviations]
+        """
+    @sigmas_along.setter
+    def sigmas_along(self, value: typing.Never) -> None: ...
+    @property
+    def whole_above(self) -> float:
+        """
+        a frame of which more than this part would be read is read whole
+        """
+    @whole_above.setter
+    def whole_above(self, value: typing.Never) -> None: ...
+    @property
+    def whole_object(self) -> bool:
+        """
+        a region holds the whole box wherever in it the position is; if not, each side is the box's longer one at least (O'Malley 2000)
+        """
+    @whole_object.setter
+    def whole_object(self, value: typing.Never) -> None: ...
+
 class OutputOptions:
     """
     Extras of a result that cost something.
@@ -2655,17 +4247,20 @@ class Config:
 
     Args:
         time_unit_s: the filters' unit of time; published presets: the nominal frame period [s]; between 1e-06 and 3600
+        scene_change: what is done when the whole scene changes
         segmenter: frame to foreground mask
         cleanup: noise removal on the mask
         blobs: mask to detections
         filter: how tracks move
         measurement: what of a detection a track follows
         cost: how well a detection fits a track
+        appearance: what else makes a detection fit a track
         assignment: who gets which detection
         lifecycle: when tracks are born, believed, lost and closed
         groups: tracks that merge into one blob
         reentry: tracks that ended and come back
         vicinity: what the scene teaches about sizes and speeds
+        regions: which parts of a frame are read
         outputs: extras of a result that cost something
     """
 
@@ -2688,21 +4283,38 @@ class Config:
         self,
         *,
         time_unit_s: float = 1.0,
+        scene_change: NoSceneChangeOptions | GuardOptions = ...,
         segmenter: SelectiveOptions
         | MovingAverageOptions
         | HornSchunckOptions
         | Mog2Options
-        | KnnOptions = ...,
+        | KnnOptions
+        | StaticReferenceOptions
+        | NormalizedDifferenceOptions = ...,
         cleanup: CleanupOptions = ...,
         blobs: BlobOptions = ...,
-        filter: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions = ...,
+        filter: KalmanCvOptions
+        | KalmanCaOptions
+        | MeanVelocityOptions
+        | KalmanDiscreteOptions
+        | KalmanBoxOptions
+        | KalmanPathOptions
+        | ExtendedOptions
+        | UnscentedOptions
+        | ParticleOptions = ...,
         measurement: BoxCenterOptions | CentroidOptions = ...,
         cost: GaussianCostOptions | MatchMatrixOptions | BeliefOptions | DistanceOptions = ...,
-        assignment: HungarianOptions | OldestFirstOptions | RowOrderOptions = ...,
-        lifecycle: ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions = ...,
+        appearance: NoAppearanceOptions | ColorHistogramOptions = ...,
+        assignment: HungarianOptions | OldestFirstOptions | RowOrderOptions | LargestOptions = ...,
+        lifecycle: ConfirmAndLoseOptions
+        | LostCountOptions
+        | CountMedianOptions
+        | RegionGrowthOptions
+        | SingleLargestOptions = ...,
         groups: NoGroupsOptions | SharedBlobOptions = ...,
         reentry: NoReentryOptions | RememberOptions = ...,
         vicinity: NoVicinityOptions | GridVicinityOptions = ...,
+        regions: NoRegionsOptions | PredictedRegionsOptions = ...,
         outputs: OutputOptions = ...,
     ) -> None:
         """
@@ -2743,13 +4355,22 @@ class Config:
         Reads options from TOML on top of the present ones; an error leaves the config as it was.
         """
     @property
-    def assignment(self) -> HungarianOptions | OldestFirstOptions | RowOrderOptions:
+    def appearance(self) -> NoAppearanceOptions | ColorHistogramOptions:
+        """
+        what else makes a detection fit a track
+        """
+    @appearance.setter
+    def appearance(self, value: NoAppearanceOptions | ColorHistogramOptions) -> None: ...
+    @property
+    def assignment(
+        self,
+    ) -> HungarianOptions | OldestFirstOptions | RowOrderOptions | LargestOptions:
         """
         who gets which detection
         """
     @assignment.setter
     def assignment(
-        self, value: HungarianOptions | OldestFirstOptions | RowOrderOptions
+        self, value: HungarianOptions | OldestFirstOptions | RowOrderOptions | LargestOptions
     ) -> None: ...
     @property
     def blobs(self) -> BlobOptions:
@@ -2775,12 +4396,35 @@ class Config:
         self, value: GaussianCostOptions | MatchMatrixOptions | BeliefOptions | DistanceOptions
     ) -> None: ...
     @property
-    def filter(self) -> KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions:
+    def filter(
+        self,
+    ) -> (
+        KalmanCvOptions
+        | KalmanCaOptions
+        | MeanVelocityOptions
+        | KalmanDiscreteOptions
+        | KalmanBoxOptions
+        | KalmanPathOptions
+        | ExtendedOptions
+        | UnscentedOptions
+        | ParticleOptions
+    ):
         """
         how tracks move
         """
     @filter.setter
-    def filter(self, value: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions) -> None: ...
+    def filter(
+        self,
+        value: KalmanCvOptions
+        | KalmanCaOptions
+        | MeanVelocityOptions
+        | KalmanDiscreteOptions
+        | KalmanBoxOptions
+        | KalmanPathOptions
+        | ExtendedOptions
+        | UnscentedOptions
+        | ParticleOptions,
+    ) -> None: ...
     @property
     def groups(self) -> NoGroupsOptions | SharedBlobOptions:
         """
@@ -2789,13 +4433,26 @@ class Config:
     @groups.setter
     def groups(self, value: NoGroupsOptions | SharedBlobOptions) -> None: ...
     @property
-    def lifecycle(self) -> ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions:
+    def lifecycle(
+        self,
+    ) -> (
+        ConfirmAndLoseOptions
+        | LostCountOptions
+        | CountMedianOptions
+        | RegionGrowthOptions
+        | SingleLargestOptions
+    ):
         """
         when tracks are born, believed, lost and closed
         """
     @lifecycle.setter
     def lifecycle(
-        self, value: ConfirmAndLoseOptions | LostCountOptions | CountMedianOptions
+        self,
+        value: ConfirmAndLoseOptions
+        | LostCountOptions
+        | CountMedianOptions
+        | RegionGrowthOptions
+        | SingleLargestOptions,
     ) -> None: ...
     @property
     def measurement(self) -> BoxCenterOptions | CentroidOptions:
@@ -2819,9 +4476,31 @@ class Config:
     @reentry.setter
     def reentry(self, value: NoReentryOptions | RememberOptions) -> None: ...
     @property
+    def regions(self) -> NoRegionsOptions | PredictedRegionsOptions:
+        """
+        which parts of a frame are read
+        """
+    @regions.setter
+    def regions(self, value: NoRegionsOptions | PredictedRegionsOptions) -> None: ...
+    @property
+    def scene_change(self) -> NoSceneChangeOptions | GuardOptions:
+        """
+        what is done when the whole scene changes
+        """
+    @scene_change.setter
+    def scene_change(self, value: NoSceneChangeOptions | GuardOptions) -> None: ...
+    @property
     def segmenter(
         self,
-    ) -> SelectiveOptions | MovingAverageOptions | HornSchunckOptions | Mog2Options | KnnOptions:
+    ) -> (
+        SelectiveOptions
+        | MovingAverageOptions
+        | HornSchunckOptions
+        | Mog2Options
+        | KnnOptions
+        | StaticReferenceOptions
+        | NormalizedDifferenceOptions
+    ):
         """
         frame to foreground mask
         """
@@ -2832,7 +4511,9 @@ class Config:
         | MovingAverageOptions
         | HornSchunckOptions
         | Mog2Options
-        | KnnOptions,
+        | KnnOptions
+        | StaticReferenceOptions
+        | NormalizedDifferenceOptions,
     ) -> None: ...
     @property
     def time_unit_s(self) -> float:
@@ -2865,10 +4546,12 @@ class Detections:
         frame_size: tuple[
             typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex
         ] = (0, 0),
+        histograms: typing.Any = None,
     ) -> None:
         """
         From your own detector: boxes is Nx4 (left, top, width, height in px); confidences and class_ids have N
-        numbers; frame_size is (width, height) in px, (0, 0) when unknown.
+        numbers; frame_size is (width, height) in px, (0, 0) when unknown; histograms is Nx8x8x8, a color_histogram()
+        a box, for appearance.model color_histogram.
         """
     def __iter__(self) -> collections.abc.Iterator[Detection]: ...
     def __len__(self) -> int: ...
@@ -2904,6 +4587,11 @@ class Detections:
         (width, height), px
         """
     @property
+    def histograms(self) -> numpy.typing.NDArray[numpy.float32]:
+        """
+        Nx8x8x8 float32, the color_histogram() of each, with appearance.model color_histogram; else 0x8x8x8.
+        """
+    @property
     def index(self) -> int: ...
     @property
     def mask(self) -> typing.Any:
@@ -2911,9 +4599,14 @@ class Detections:
         HxW uint8, 0 or 255; None for your own boxes.
         """
     @property
-    def regions(self) -> list[Box]:
+    def pixels_read(self) -> int:
         """
-        The parts of the frame read.
+        Number of pixels in them, each counted once.
+        """
+    @property
+    def regions(self) -> list[Region]:
+        """
+        The parts of the frame that were read; they may overlap.
         """
     @property
     def time_s(self) -> float: ...
@@ -3043,6 +4736,16 @@ class FrameResult:
         The rows of costs and beliefs: ids of the tracks open before the frame; 0: tentative.
         """
     @property
+    def pixels_read(self) -> int:
+        """
+        Number of pixels in them, each counted once.
+        """
+    @property
+    def regions(self) -> list[Region]:
+        """
+        The parts of the frame that were read; they may overlap.
+        """
+    @property
     def tentative(self) -> list[Track]:
         """
         Candidates, seen too few times to be believed; their id is 0.
@@ -3075,7 +4778,9 @@ class Segmenter:
         | MovingAverageOptions
         | HornSchunckOptions
         | Mog2Options
-        | KnnOptions = ...,
+        | KnnOptions
+        | StaticReferenceOptions
+        | NormalizedDifferenceOptions = ...,
     ) -> None:
         """
         Raises ConfigError.
@@ -3087,6 +4792,15 @@ class Segmenter:
     def flow(self) -> numpy.typing.NDArray[numpy.float32] | None:
         """
         The last flow field, HxWx2 float32, px to the right and down; None while there is none.
+        """
+    def load_background(self, picture: typing.Any) -> None:
+        """
+        The picture to start from, with segmenter.source picture: HxW or HxWx3 (BGR) uint8 of the frames' size, copied.
+        Before the first frame; it outlives reset(). Raises InputError.
+        """
+    def relearn(self) -> None:
+        """
+        The scene changed: learns the background anew from the coming frames.
         """
     def reset(self) -> None:
         """
@@ -3119,74 +4833,107 @@ class Cleanup:
         Forgets the masks before: the next is a first mask.
         """
 
-class FilterBank:
+class SceneChangeKind(enum.Enum):
     """
-    The filters of many objects in one, a slot an object; each is predicted and corrected in turn.
+    How a scene changed.
     """
-    def __init__(self, options: KalmanCvOptions | KalmanCaOptions | MeanVelocityOptions) -> None:
+
+    black = 4
+    brightness = 2
+    cut = 0
+    gradual = 1
+    infrared = 3
+
+class SceneChange:
+    """
+    A change of the scene, with what showed it.
+    """
+    @property
+    def kind(self) -> SceneChangeKind: ...
+    @property
+    def measure(self) -> str:
+        """
+        The measure's name, "color_part" or "black_part".
+        """
+    @property
+    def threshold(self) -> float:
+        """
+        What it passed, 0 to 1.
+        """
+    @property
+    def value(self) -> float:
+        """
+        What was measured, 0 to 1.
+        """
+
+class SceneLook:
+    """
+    What one look of a SceneGuard found.
+    """
+    @property
+    def against_before(self) -> float:
+        """
+        The same, and the frame frames_back before.
+        """
+    @property
+    def against_reference(self) -> float:
+        """
+        The measure between the frame and the long-term reference, 0 to 1.
+        """
+    @property
+    def black(self) -> bool:
+        """
+        The frame is black, and the scene was not.
+        """
+    @property
+    def black_part(self) -> float:
+        """
+        Part of the samples that are black, 0 to 1.
+        """
+    @property
+    def change(self) -> SceneChange | None:
+        """
+        A SceneChange, or None.
+        """
+    @property
+    def color(self) -> float:
+        """
+        Mean of largest less smallest channel, grey levels.
+        """
+    @property
+    def correlation(self) -> float:
+        """
+        Of grey levels with those of the reference, -1 to 1.
+        """
+    @property
+    def reference_color(self) -> float:
+        """
+        The same of the reference.
+        """
+
+class SceneGuard:
+    """
+    Watches a scene as a whole, on a grid of samples; Pipeline does so with scene_change.model guard.
+    """
+    def __init__(self, options: GuardOptions = ...) -> None:
         """
         Raises ConfigError.
         """
-    def __len__(self) -> int: ...
-    def add(
-        self,
-        x: typing.SupportsFloat | typing.SupportsIndex,
-        y: typing.SupportsFloat | typing.SupportsIndex,
-        *,
-        object_size_px: typing.SupportsFloat | typing.SupportsIndex = 1.0,
-    ) -> int:
+    def look(
+        self, frame: typing.Any, time_s: typing.SupportsFloat | typing.SupportsIndex
+    ) -> SceneLook:
         """
-        Starts a filter at a measured position in px; returns its slot. object_size_px is the unit of noises that
-        are relative to the object's size. Raises InputError.
+        The next frame: HxW or HxWx3 (BGR) uint8, all of one size; time_s increases. Raises InputError and then keeps
+        its state.
         """
-    def correct(self, measured: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def reset(self) -> None:
         """
-        Corrects all filters by an Nx2 array of positions in px; rows of NaN are missing measurements.
-        """
-    def predict(self, dt: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        """
-        Moves all filters on by dt time units, above 0.
-        """
-    def remove(self, slot: typing.SupportsInt | typing.SupportsIndex) -> None:
-        """
-        Ends a filter; later slots move down by one.
-        """
-    def state(
-        self, slot: typing.SupportsInt | typing.SupportsIndex
-    ) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        The raw state: positions, velocities, accelerations (x, y each).
-        """
-    def state_covariance(
-        self, slot: typing.SupportsInt | typing.SupportsIndex
-    ) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        The raw state's covariance; empty for filters without one.
+        Forgets everything: the next frame is a first frame.
         """
     @property
-    def innovation_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+    def sample_count(self) -> int:
         """
-        Nx2x2, px^2
-        """
-    @property
-    def position_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        Nx2x2, px^2
-        """
-    @property
-    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        Nx2, px
-        """
-    @property
-    def predicted_positions(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        Nx2, px: where the measurements are expected, after predict
-        """
-    @property
-    def velocities(self) -> numpy.typing.NDArray[numpy.float64]:
-        """
-        Nx2, px per time unit
+        Pixels that are samples; 0 before the first frame.
         """
 
 class KalmanFilter:
@@ -3774,134 +5521,6 @@ class Density:
         The table, with the integral 1.
         """
 
-class Pipeline:
-    """
-    The whole system: frame in, tracks and events out. One object a camera.
-    """
-    @staticmethod
-    def from_preset(name: str = "survtrack") -> Pipeline:
-        """
-        A pipeline with a preset's config.
-        """
-    def __init__(self, config: Config = ...) -> None:
-        """
-        Raises ConfigError.
-        """
-    def finish(self) -> list[FrameResult]:
-        """
-        The source has ended: the results still due. After it only reset() is allowed.
-        """
-    def learned_scene(self) -> str:
-        """
-        What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
-        """
-    def load_learned_scene(self, json: str, source: str = "scene") -> None:
-        """
-        Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,
-        naming source and the entry, and then keeps its state.
-        """
-    def process(
-        self,
-        frame: typing.Any,
-        time_s: typing.SupportsFloat | typing.SupportsIndex,
-        index: typing.SupportsInt | typing.SupportsIndex | None = None,
-    ) -> typing.Any:
-        """
-        One frame on. frame: HxW (grey) or HxWx3 (BGR) uint8, one size for the whole run; time_s: increasing, in
-        seconds; index: the frame's index in its source, increasing, counts on from the last by default.
-        None while a delayed pipeline fills. Raises InputError and then keeps its state.
-        """
-    def reset(self) -> None:
-        """
-        Forgets frames, tracks and all that was learned; the next frame is a first frame and ids start at 1.
-        """
-    @property
-    def config(self) -> Config:
-        """
-        A copy of the config.
-        """
-    @property
-    def delay_frames(self) -> int:
-        """
-        Frames by which results come late.
-        """
-
-class Detector:
-    """
-    The first half: frame in, detections out.
-    """
-    def __init__(self, config: Config = ...) -> None:
-        """
-        Raises ConfigError.
-        """
-    def finish(self) -> list[Detections]:
-        """
-        The rest of a delayed model. After it only reset() is allowed.
-        """
-    def process(
-        self,
-        frame: typing.Any,
-        time_s: typing.SupportsFloat | typing.SupportsIndex,
-        index: typing.SupportsInt | typing.SupportsIndex | None = None,
-        *,
-        keep: collections.abc.Sequence[Box] = [],
-    ) -> typing.Any:
-        """
-        Frame in, detections out; None while a delayed model fills. Arguments as for Pipeline.process; keep: places
-        that the background must not learn.
-        """
-    def reset(self) -> None:
-        """
-        Forgets everything.
-        """
-    @property
-    def delay_frames(self) -> int:
-        """
-        Frames by which detections come late.
-        """
-
-class Tracker:
-    """
-    The second half: detections in, tracks out; for any detector's boxes.
-    """
-    def __init__(self, config: Config = ...) -> None:
-        """
-        Raises ConfigError.
-        """
-    def learned_scene(self) -> str:
-        """
-        What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
-        """
-    def load_learned_scene(self, json: str, source: str = "scene") -> None:
-        """
-        Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,
-        naming source and the entry, and then keeps its state.
-        """
-    def predict(self, time_s: typing.SupportsFloat | typing.SupportsIndex) -> Expectation:
-        """
-        Moves all tracks on to the coming frame's time and says what is expected there.
-        """
-    @typing.overload
-    def process(self, detections: Detections) -> TrackingResult:
-        """
-        One frame on: predicts to detections.time_s, associates, updates.
-        """
-    @typing.overload
-    def process(
-        self, boxes: typing.Any, time_s: typing.SupportsFloat | typing.SupportsIndex
-    ) -> TrackingResult:
-        """
-        The same with an Nx4 array: left, top, width, height in px.
-        """
-    def reset(self) -> None:
-        """
-        Forgets all tracks and all that was learned; ids start at 1 again.
-        """
-    def update(self, detections: Detections) -> TrackingResult:
-        """
-        The second step of process, after predict for the same time.
-        """
-
 class History:
     """
     All tracks of a run that is over.
@@ -4435,6 +6054,10 @@ class Path:
         From the predicted to the measured S, numbers or arrays: of a closed path the shorter way round,
         ((d + l/2) mod l) - l/2 (O'Malley 2000).
         """
+    def stretches(self, places: typing.Any) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        How far points at Nx2 places (S, T) move along for each px of S: 1 - T / radius, kept between 0.01 and 100.
+        """
     def tangents(
         self, s_px: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
     ) -> numpy.typing.NDArray[numpy.float64]:
@@ -4531,6 +6154,501 @@ class Paths:
     @property
     def names(self) -> list[str]: ...
 
+class PathState:
+    """
+    What a filter along a path believes, by that path.
+    """
+    @property
+    def covariance_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2 over (S, T), of predicted.
+        """
+    @property
+    def path(self) -> Path:
+        """
+        The Path.
+        """
+    @property
+    def place_before(self) -> tuple[float, float]:
+        """
+        (S, T) px: the estimate before the last prediction.
+        """
+    @property
+    def predicted(self) -> tuple[float, float]:
+        """
+        (S, T) px: the estimate now; after predict the predicted one.
+        """
+    @property
+    def velocity(self) -> tuple[float, float]:
+        """
+        Rates of (S, T), px per time unit.
+        """
+
+class FilterBank:
+    """
+    The filters of many objects in one, a slot an object; each is predicted and corrected in turn.
+    """
+    def __init__(
+        self,
+        options: KalmanCvOptions
+        | KalmanCaOptions
+        | MeanVelocityOptions
+        | KalmanDiscreteOptions
+        | KalmanBoxOptions
+        | KalmanPathOptions
+        | ExtendedOptions
+        | UnscentedOptions
+        | ParticleOptions,
+        *,
+        paths: Paths | None = None,
+        frame_size: tuple[
+            typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex
+        ]
+        | None = None,
+    ) -> None:
+        """
+        paths: for kalman_path, which needs some; frame_size: (width, height) in px, for kalman_discrete with start
+        frame_center, which needs it. Raises ConfigError and InputError.
+        """
+    def __len__(self) -> int: ...
+    def add(
+        self,
+        x: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.SupportsFloat | typing.SupportsIndex,
+        *,
+        object_size_px: typing.SupportsFloat | typing.SupportsIndex = 1.0,
+    ) -> int:
+        """
+        Starts a filter at a measured position in px; returns its slot. object_size_px is the unit of noises that
+        are relative to the object's size. Raises InputError.
+        """
+    def correct(
+        self,
+        measured: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        sizes: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+    ) -> None:
+        """
+        Corrects all filters by an Nx2 array of positions in px; rows of NaN are missing measurements. sizes: for
+        kalman_box an Nx2 array of widths and heights in px.
+        """
+    def path_state(self, slot: typing.SupportsInt | typing.SupportsIndex) -> PathState | None:
+        """
+        What is believed by the path that the object is on; None of filters without one.
+        """
+    def predict(self, dt: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        Moves all filters on by dt time units, above 0.
+        """
+    def remove(self, slot: typing.SupportsInt | typing.SupportsIndex) -> None:
+        """
+        Ends a filter; later slots move down by one.
+        """
+    def state(
+        self, slot: typing.SupportsInt | typing.SupportsIndex
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The raw state: positions, velocities, accelerations (x, y each); of kalman_box (x, y, w, h) and their rates, of
+        kalman_path (S, T, vS, vT).
+        """
+    def state_covariance(
+        self, slot: typing.SupportsInt | typing.SupportsIndex
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        The raw state's covariance; empty for filters without one.
+        """
+    @property
+    def box_sizes(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px: width and height; NaN of filters over positions
+        """
+    @property
+    def innovation_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2
+        """
+    @property
+    def position_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2
+        """
+    @property
+    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px
+        """
+    @property
+    def predicted_positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px: where the measurements are expected, after predict
+        """
+    @property
+    def velocities(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px per time unit
+        """
+
+class Pipeline:
+    """
+    The whole system: frame in, tracks and events out. One object a camera.
+    """
+    @staticmethod
+    def from_preset(name: str = "survtrack") -> Pipeline:
+        """
+        A pipeline with a preset's config.
+        """
+    def __init__(self, config: Config = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def finish(self) -> list[FrameResult]:
+        """
+        The source has ended: the results still due. After it only reset() is allowed.
+        """
+    def learned_scene(self) -> str:
+        """
+        What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
+        """
+    def load_background(self, picture: typing.Any) -> None:
+        """
+        The picture to start from, with segmenter.model static_reference and source picture: HxW or HxWx3 (BGR) uint8 of
+        the frames' size, copied. Before the first frame; it outlives reset(). Raises InputError.
+        """
+    def load_learned_scene(self, json: str, source: str = "scene") -> None:
+        """
+        Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,
+        naming source and the entry, and then keeps its state.
+        """
+    def load_paths(self, paths: Paths) -> None:
+        """
+        The paths that filter.model kalman_path follows objects along; other filters leave them aside. reset() keeps
+        them. Raises InputError when there are none, they are drawn on frames of another size, or frames were processed
+        already.
+        """
+    def load_zones(self, zones: collections.abc.Sequence[Box]) -> None:
+        """
+        Where newcomers are looked for, boxes in px, with regions.acquisition zones; before the first frame. Kept by
+        reset(). Raises InputError for none, for zones without size, and when the config has no use for them.
+        """
+    def process(
+        self,
+        frame: typing.Any,
+        time_s: typing.SupportsFloat | typing.SupportsIndex,
+        index: typing.SupportsInt | typing.SupportsIndex | None = None,
+    ) -> typing.Any:
+        """
+        One frame on. frame: HxW (grey) or HxWx3 (BGR) uint8, one size for the whole run; time_s: increasing, in
+        seconds; index: the frame's index in its source, increasing, counts on from the last by default.
+        None while a delayed pipeline fills. Raises InputError and then keeps its state.
+        """
+    def relearn_background(self) -> None:
+        """
+        The scene changed: the background is learned anew from the coming frames.
+        """
+    def reset(self) -> None:
+        """
+        Forgets frames, tracks and all that was learned, but no picture that was loaded nor zones; the next frame is a
+        first frame and ids start at 1.
+        """
+    @property
+    def config(self) -> Config:
+        """
+        A copy of the config.
+        """
+    @property
+    def delay_frames(self) -> int:
+        """
+        Frames by which results come late.
+        """
+
+class Detector:
+    """
+    The first half: frame in, detections out.
+    """
+    def __init__(self, config: Config = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def finish(self) -> list[Detections]:
+        """
+        The rest of a delayed model. After it only reset() is allowed.
+        """
+    def load_background(self, picture: typing.Any) -> None:
+        """
+        The picture to start from, with segmenter.model static_reference and source picture: HxW or HxWx3 (BGR) uint8 of
+        the frames' size, copied. Before the first frame; it outlives reset(). Raises InputError.
+        """
+    def process(
+        self,
+        frame: typing.Any,
+        time_s: typing.SupportsFloat | typing.SupportsIndex,
+        index: typing.SupportsInt | typing.SupportsIndex | None = None,
+        *,
+        keep: collections.abc.Sequence[Box] = [],
+        regions: collections.abc.Sequence[Box] = [],
+    ) -> typing.Any:
+        """
+        Frame in, detections out; None while a delayed model fills. Arguments as for Pipeline.process; keep: places
+        that the background must not learn; regions: where to look, for models that can read parts; none: everywhere.
+        """
+    def relearn_background(self) -> None:
+        """
+        The scene changed: the background is learned anew from the coming frames.
+        """
+    def reset(self) -> None:
+        """
+        Forgets everything but a picture that was loaded.
+        """
+    @property
+    def delay_frames(self) -> int:
+        """
+        Frames by which detections come late.
+        """
+
+class Tracker:
+    """
+    The second half: detections in, tracks out; for any detector's boxes.
+    """
+    def __init__(self, config: Config = ...) -> None:
+        """
+        Raises ConfigError.
+        """
+    def learned_scene(self) -> str:
+        """
+        What was learned of the scene, as JSON: the law of sizes, the vicinity grids, the densities of beliefs.
+        """
+    def load_learned_scene(self, json: str, source: str = "scene") -> None:
+        """
+        Starts from what an earlier run learned; what this config does not use is left aside. Raises InputError,
+        naming source and the entry, and then keeps its state.
+        """
+    def load_paths(self, paths: Paths) -> None:
+        """
+        The paths that filter.model kalman_path follows objects along; other filters leave them aside. reset() keeps
+        them. Raises InputError when there are none, they are drawn on frames of another size, or frames were processed
+        already.
+        """
+    def load_zones(self, zones: collections.abc.Sequence[Box]) -> None:
+        """
+        Where newcomers are looked for, boxes in px, with regions.acquisition zones; before the first frame. Kept by
+        reset(). Raises InputError for none, for zones without size, and when the config has no use for them.
+        """
+    def predict(
+        self,
+        time_s: typing.SupportsFloat | typing.SupportsIndex,
+        *,
+        frame_size: tuple[
+            typing.SupportsInt | typing.SupportsIndex, typing.SupportsInt | typing.SupportsIndex
+        ] = (0, 0),
+    ) -> Expectation:
+        """
+        Moves all tracks on to the coming frame's time and says what is expected there. frame_size: (width, height) in
+        px, needed for regions only; (0, 0): that of the frames before.
+        """
+    @typing.overload
+    def process(self, detections: Detections) -> TrackingResult:
+        """
+        One frame on: predicts to detections.time_s, associates, updates.
+        """
+    @typing.overload
+    def process(
+        self, boxes: typing.Any, time_s: typing.SupportsFloat | typing.SupportsIndex
+    ) -> TrackingResult:
+        """
+        The same with an Nx4 array: left, top, width, height in px.
+        """
+    def reset(self) -> None:
+        """
+        Forgets all tracks and all that was learned; ids start at 1 again.
+        """
+    def update(self, detections: Detections) -> TrackingResult:
+        """
+        The second step of process, after predict for the same time.
+        """
+
+class MeasuredTrack:
+    """
+    What was measured of one object, in order of time.
+    """
+    def __init__(
+        self,
+        times: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+    ) -> None:
+        """
+        times: N numbers that increase, in time units; positions: Nx2, px; lengths: N, the object's size in px as it was
+        known before each, None: 1. Raises InputError.
+        """
+    def __len__(self) -> int: ...
+    def __repr__(self) -> str: ...
+    def stands_still(
+        self,
+        max_speed: typing.SupportsFloat | typing.SupportsIndex = 0.05,
+        max_range: typing.SupportsFloat | typing.SupportsIndex = 0.3,
+    ) -> bool:
+        """
+        Whether its slope is at most max_speed lengths per time unit and its range max_range lengths. Raises InputError.
+        """
+    @property
+    def lengths(self) -> numpy.typing.NDArray[numpy.float64] | None:
+        """
+        N, px; None: 1 each
+        """
+    @property
+    def positions(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2, px
+        """
+    @property
+    def times(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        N, time units
+        """
+
+class MeasurementRecorder:
+    """
+    Collects what was measured of the confirmed tracks of a run, frame by frame. Leaves out blobs that
+    several tracks share, and detections that the frame's border cuts.
+    """
+    def __init__(
+        self, config: Config, *, max_gap_s: typing.SupportsFloat | typing.SupportsIndex = 1.0
+    ) -> None:
+        """
+        After a longer gap a track goes on as another one. Raises ConfigError, InputError.
+        """
+    @typing.overload
+    def add(self, result: FrameResult) -> None:
+        """
+        Takes the result of one frame; frames come in order.
+        """
+    @typing.overload
+    def add(self, result: TrackingResult, detections: Detections) -> None: ...
+    def tracks(self, least: typing.SupportsInt | typing.SupportsIndex = 2) -> list[MeasuredTrack]:
+        """
+        Those of at least so many measurements; times in the config's time units, lengths the tracks' sizes before.
+        """
+    @property
+    def at_border(self) -> int:
+        """
+        Left out: cut by the frame's border.
+        """
+    @property
+    def shared(self) -> int:
+        """
+        Left out: blobs of several tracks.
+        """
+    @property
+    def used(self) -> int:
+        """
+        Measurements taken.
+        """
+
+class NoiseEstimate:
+    """
+    A number found from data.
+    """
+    def __repr__(self) -> str: ...
+    @property
+    def standard_error(self) -> float:
+        """
+        0: it was given; inf: the data do not determine it.
+        """
+    @property
+    def value(self) -> float: ...
+
+class MeasurementNoise:
+    """
+    R, from objects that stand still.
+    """
+    @property
+    def R(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2 covariance of a measured position, in squares of the noise unit.
+        """
+    @property
+    def degrees(self) -> int:
+        """
+        Of freedom: samples less 2 a track.
+        """
+    @property
+    def position_noise(self) -> NoiseEstimate:
+        """
+        Root of the mean variance: the option.
+        """
+    @property
+    def samples(self) -> int: ...
+    @property
+    def standard_error(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2, of each element of R, for Gaussian noise without memory.
+        """
+
+class FilterConsistency:
+    """
+    How well a filter fits measurements.
+    """
+    @property
+    def correlation(self) -> float:
+        """
+        Of innovations with the next one of the track: 0 if they fit.
+        """
+    @property
+    def correlation_limit(self) -> float:
+        """
+        Of its size, with probability 0.95 if they fit.
+        """
+    @property
+    def log_likelihood(self) -> float: ...
+    @property
+    def nis_band(self) -> tuple[float, float]:
+        """
+        (low, high), with probability 0.95 if they fit.
+        """
+    @property
+    def nis_mean(self) -> float:
+        """
+        Mean of y' S^-1 y: 2 if Q and R fit.
+        """
+    @property
+    def steps(self) -> int:
+        """
+        Innovations: measurements after the first of each track.
+        """
+
+class ProcessNoise:
+    """
+    Q, by maximum likelihood.
+    """
+    @property
+    def after(self) -> FilterConsistency:
+        """
+        The same with those found.
+        """
+    @property
+    def before(self) -> FilterConsistency:
+        """
+        FilterConsistency with the options given.
+        """
+    @property
+    def initial_acceleration(self) -> NoiseEstimate:
+        """
+        Of kalman_ca; 0 otherwise.
+        """
+    @property
+    def initial_velocity(self) -> NoiseEstimate: ...
+    @property
+    def options(self) -> KalmanCvOptions | KalmanCaOptions:
+        """
+        Those given, with what was found.
+        """
+    @property
+    def position_noise(self) -> NoiseEstimate: ...
+    @property
+    def process_noise(self) -> NoiseEstimate:
+        """
+        The option velocity_noise or acceleration_noise.
+        """
+
 def assign_hungarian(
     costs: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
     unassigned_cost: typing.SupportsFloat | typing.SupportsIndex = ...,
@@ -4561,6 +6679,15 @@ def clean_mask(mask: typing.Any, options: CleanupOptions = ...) -> numpy.ndarray
     """
     A mask (HxW uint8, 0 or 255) with its noise removed: median, opening, closing, tiles. The input is left
     alone. A temporal median has nothing to do with one mask: see Cleanup.
+    """
+
+def color_histogram(
+    image: typing.Any, mask: typing.Any = None
+) -> numpy.typing.NDArray[numpy.float32]:
+    """
+    What part of the pixels has which colour: 8x8x8 float32 over blue, green and red, 32 levels a bin, of sum 1. image:
+    HxW or HxWx3 (BGR) uint8; mask: HxW uint8, pixels where it is 0 do not count; without any left all is 0. Raises
+    InputError.
     """
 
 def continuous_white_noise(
@@ -4602,6 +6729,14 @@ def falling_velocity_factor(
     Returns an array of the same shape. Raises InputError.
     """
 
+def filter_consistency(
+    tracks: collections.abc.Sequence[MeasuredTrack], options: KalmanCvOptions | KalmanCaOptions
+) -> FilterConsistency:
+    """
+    Runs the filter of KalmanCvOptions or KalmanCaOptions over MeasuredTracks, each from its first measurement, and
+    tests its innovations. Raises InputError, ConfigError.
+    """
+
 def find_blobs(
     mask: typing.Any,
     frame: typing.Any = None,
@@ -4614,6 +6749,15 @@ def find_blobs(
     """
     The detections of a mask (HxW uint8, not 0 is foreground), with mean colours of `frame` (same size). For
     Tracker.process they need the frame's time in seconds, and may have its index in its source.
+    """
+
+def histogram_intersection(
+    a: typing.Annotated[numpy.typing.ArrayLike, numpy.float32],
+    b: typing.Annotated[numpy.typing.ArrayLike, numpy.float32],
+) -> float:
+    """
+    The sum of the smaller parts of two color_histogram() (Swain and Ballard 1991): 1 for equal colours, 0 for none in
+    common. Raises InputError for what is no histogram.
     """
 
 def horn_schunck(
@@ -4651,6 +6795,37 @@ def horn_schunck(
     Raises:
         InputError: frames or an initial field that do not fit, or are not finite.
         ConfigError: options out of their ranges, or more levels than the size has.
+    """
+
+@typing.overload
+def identify_measurement_noise(
+    still: collections.abc.Sequence[MeasuredTrack], noise_unit: str = "object_size"
+) -> MeasurementNoise:
+    """
+    The covariance of the measured positions of objects that stand still about a straight line in time, one each.
+    noise_unit: "object_size" divides by the tracks' lengths, "px" does not. Raises InputError for fewer than 3
+    measurements of an object.
+    """
+
+@typing.overload
+def identify_measurement_noise(
+    positions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    times: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
+) -> MeasurementNoise:
+    """
+    The same of one object: Nx2 positions in px, at N times that increase (None: 0, 1, 2, ...).
+    """
+
+def identify_process_noise(
+    tracks: collections.abc.Sequence[MeasuredTrack],
+    options: KalmanCvOptions | KalmanCaOptions,
+    *,
+    fit_position_noise: bool = True,
+) -> ProcessNoise:
+    """
+    Which noises of KalmanCvOptions or KalmanCaOptions maximise the likelihood of MeasuredTracks: the process noise,
+    the deviations of a new track, and position_noise unless it is not to be fitted. Raises InputError for fewer
+    than 10 steps, ConfigError.
     """
 
 def iou(a: Box, b: Box) -> float:
@@ -4718,6 +6893,46 @@ def order_free_beliefs(
     none); 0 to 1e60. With the products w of a blob's four, b_i = w_i / (1 + sum of w), and 1 / (1 + sum of w) of
     "lost": Bayes' rule blob by blob with the velocity factor on the odds, whatever their order. Returns v + 1
     numbers. Raises InputError.
+    """
+
+def predicted_region(
+    options: PredictedRegionsOptions,
+    before: tuple[
+        typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex
+    ],
+    position: tuple[
+        typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex
+    ],
+    covariance_px2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    box: Box,
+    *,
+    lost_s: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+) -> Box:
+    """
+    The part of the coming frame that must be read to see an object (O'Malley 2000, 4), a Box that is not cut to the
+    frame. before: (x, y) in px in the frame before; position: the predicted one, with its 2x2 covariance; box: the
+    object's at that position; lost_s: time since it was found last. Raises InputError.
+    """
+
+def predicted_region_on_path(
+    options: PredictedRegionsOptions,
+    path: Path,
+    before: tuple[
+        typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex
+    ],
+    place: tuple[
+        typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex
+    ],
+    covariance_px2: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    size_px: tuple[
+        typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex
+    ],
+    *,
+    lost_s: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+) -> Box:
+    """
+    The same of an object on a path: before and place are (S, T) in px, covariance_px2 the 2x2 covariance of the
+    predicted (S, T), size_px the (width, height) of its box. Raises InputError.
     """
 
 def preset(name: str = "survtrack") -> Config:

@@ -27,6 +27,8 @@ constexpr int least_rate_q15 = 256;
 // Young backgrounds absorb sooner: what the first frame held by chance leaves within seconds.
 constexpr double least_absorb_s = 0.5;
 constexpr double absorb_part_of_age = 0.5;
+// In update times: younger backgrounds are shown whole frames.
+constexpr double young_updates = 2.0;
 
 int in_q(int bits, double value) { return static_cast<int>(std::lround(std::ldexp(value, bits))); }
 
@@ -35,7 +37,10 @@ class SelectiveSegmenter final : public Segmenter {
   explicit SelectiveSegmenter(const SelectiveOptions& options) : options_(options) {}
 
   bool reads_regions() const override { return true; }
-  bool needs_whole_frame() const override { return channels_ == 0; }
+  /// While the background is young each pixel's own mean is still forming, and what the first frame held by chance fades.
+  bool needs_whole_frame() const override {
+    return channels_ == 0 || previous_s_ - start_s_ < young_updates * options_.update_time_s;
+  }
 
   void segment(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
                std::vector<Event>& events) override {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "survtrack/core/errors.hpp"
@@ -84,6 +85,9 @@ Box RegionPlanner::region_of(const TrackTable& table, int i) const {
   if (scale.known) {
     const double missing = scale.height_px(object.box.bottom()) - object.box.height;
     if (missing > 0.0) object.box = {object.box.x, object.box.y - missing, object.box.width, object.box.height + missing};
+  }
+  if (const std::optional<PathState> state = table.path_state(i)) {
+    return predicted_region(options_, object, *state->path, {state->place_before, state->predicted, state->covariance_px2});
   }
   return predicted_region(options_, object);
 }

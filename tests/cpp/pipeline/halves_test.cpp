@@ -76,7 +76,7 @@ TEST_P(Halves, AnExpectationOfAnotherTimeIsRefusedAndTheFrameStaysDue) {
   right.time_s = detector.next().time_s;
   Expectation in_parts = right;
   in_parts.regions = {{{200.0, 0.0, 10.0, 10.0}, RegionKind::predicted, 0}};
-  EXPECT_TRUE(contains(message_of<InputError>([&] { detector.detect(in_parts, detections); }), "expectation.regions: "));
+  EXPECT_TRUE(contains(message_of<InputError>([&] { detector.detect(in_parts, detections); }), "expectation.regions"));
   EXPECT_TRUE(detector.due());
   EXPECT_NO_THROW(detector.detect(right, detections));
   EXPECT_EQ(detections.index, 0);

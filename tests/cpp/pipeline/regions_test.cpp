@@ -11,6 +11,7 @@ namespace {
 
 Config region_config(Acquisition acquisition = Acquisition::border) {
   Config config = scene_config();
+  std::get<SelectiveOptions>(config.segmenter).update_time_s = 0.2;  // whole frames for 0.4 s
   PredictedRegionsOptions regions;
   regions.acquisition = acquisition;
   regions.border = 0.2;
@@ -37,14 +38,14 @@ TEST(Regions, FindTheSameInFewerPixels) {
     ASSERT_EQ(found[i].tracks.size(), expected[i].tracks.size()) << i;
     for (std::size_t k = 0; k < found[i].tracks.size(); ++k) {
       EXPECT_EQ(found[i].tracks[k].id, expected[i].tracks[k].id);
-      EXPECT_GT(iou(found[i].tracks[k].box, expected[i].tracks[k].box), 0.95) << i;
+      EXPECT_GT(iou(found[i].tracks[k].box, expected[i].tracks[k].box), 0.9) << i;
     }
   }
-  EXPECT_EQ(count_of(found[0], RegionKind::whole_frame), 1U) << "nothing is known";
-  EXPECT_EQ(count_of(found[1], RegionKind::acquisition), 4U);
-  EXPECT_EQ(count_of(found[1], RegionKind::refresh), 1U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(count_of(found[i], RegionKind::whole_frame), 1U) << "the background is young";
+  EXPECT_EQ(count_of(found[6], RegionKind::acquisition), 4U);
+  EXPECT_EQ(count_of(found[6], RegionKind::refresh), 1U);
   EXPECT_EQ(count_of(found[40], RegionKind::predicted), 1U);
-  EXPECT_LT(static_cast<double>(read), 0.62 * static_cast<double>(area) * static_cast<double>(found.size()));
+  EXPECT_LT(static_cast<double>(read), 0.7 * static_cast<double>(area) * static_cast<double>(found.size()));
 }
 
 TEST(Regions, SameFramesSameBytes) {
@@ -116,17 +117,18 @@ TEST(Regions, NeedAModelThatReadsThem) {
 }
 
 TEST(Regions, OfTheCallersOwnAreRead) {
-  Detector detector(scene_config());
+  Detector detector(region_config());
   const SyntheticScene scene;
   detector.process(scene.frame(0.0), 0.0);
+  detector.process(scene.frame(0.9), 0.9);
   const Box left{0.0, 0.0, 60.0, 120.0};
-  const auto seen = detector.process(scene.frame(2.0), 0.1, {}, {}, {left});
+  const auto seen = detector.process(scene.frame(2.0), 1.0, {}, {}, {left});
   ASSERT_TRUE(seen);
-  EXPECT_EQ(seen->pixels_read, 60 * 120);
+  EXPECT_EQ(seen->pixels_read, 60 * 120 + 100 * 6) << "and a strip of 6 rows";
   ASSERT_EQ(seen->items.size(), 1U);
   EXPECT_EQ(seen->items[0].box.x, 40.0);
   EXPECT_EQ(seen->items[0].box.right(), 60.0) << "what lies beyond is not seen";
-  EXPECT_EQ(message_of<InputError>([&] { detector.process(scene.frame(2.0), 0.2, {}, {}, {left, {400.0, 0.0, 10.0, 10.0}}); })
+  EXPECT_EQ(message_of<InputError>([&] { detector.process(scene.frame(2.0), 1.1, {}, {}, {left, {400.0, 0.0, 10.0, 10.0}}); })
                 .find("expectation.regions[1]: (400.000000, 0.000000, 10.000000, 10.000000) lies outside of the frame of 160x120"),
             0U);
   Config other = scene_config();

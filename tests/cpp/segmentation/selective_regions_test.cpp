@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <random>
@@ -62,6 +63,7 @@ TEST(SelectiveRegions, WithinAPlanIsAsWithoutAndOutsideNothingHappens) {
     Model whole, parts;
     const ReadPlan plan = plan_of(place);
     cv::Mat before;
+    int most = 0;
     for (int i = 0; i < 30; ++i) {
       cv::Mat frame = noisy(90 + i, 7U + static_cast<std::uint32_t>(i), channels);
       if (i > 10) frame(cv::Rect(20, 8, 40, 9)).setTo(cv::Scalar::all(230));
@@ -80,8 +82,9 @@ TEST(SelectiveRegions, WithinAPlanIsAsWithoutAndOutsideNothingHappens) {
       cv::Mat unread = parts.background();
       before(place).copyTo(unread(place));
       EXPECT_EQ(difference(unread, before), 0.0) << i;
+      most = std::max(most, cv::countNonZero(parts.mask));
     }
-    EXPECT_GT(cv::countNonZero(parts.mask), 100) << "something was there to see";
+    EXPECT_GT(most, 100) << "something was there to see";
   }
 }
 

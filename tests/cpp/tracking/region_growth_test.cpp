@@ -12,6 +12,7 @@ Config growth_config(int max_objects = 100) {
   Config config;
   config.filter = KalmanCvOptions{.noise_unit = NoiseUnit::px, .velocity_noise = 20.0, .position_noise = 1.0,
                                   .initial_velocity = 50.0, .lost_damping_time = 0.0};
+  config.cost = DistanceOptions{.max_distance_px = 30.0};
   config.lifecycle = RegionGrowthOptions{.lost_after_frames = 4, .max_objects = max_objects};
   return config;
 }

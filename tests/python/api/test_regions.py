@@ -9,16 +9,21 @@ import survtrack
 from scenes import FPS, config_of, run, scene
 
 PREDICTED = survtrack.PredictedRegionsOptions(border=0.1, refresh_frames=20)
+SOON = survtrack.SelectiveOptions(update_time_s=0.2)  # whole frames for 0.4 s only
 
 
 def kinds(result: survtrack.FrameResult) -> list[str]:
-    return [region.kind.name for region in result.regions]
+    return kinds_of(result.detections)
+
+
+def kinds_of(detections: survtrack.Detections) -> list[str]:
+    return [region.kind.name for region in detections.regions]
 
 
 def test_the_same_tracks_in_fewer_pixels() -> None:
     frames = scene()
     expected = run(survtrack.Pipeline(), frames)
-    found = run(survtrack.Pipeline(config_of(regions=PREDICTED)), frames)
+    found = run(survtrack.Pipeline(config_of(regions=PREDICTED, segmenter=SOON)), frames)
     area = frames[0].shape[0] * frames[0].shape[1]
     assert {result.pixels_read for result in expected} == {area}
     assert kinds(expected[-1]) == ["whole_frame"]
@@ -26,7 +31,7 @@ def test_the_same_tracks_in_fewer_pixels() -> None:
     assert [t.id for t in found[-1].tracks] == [t.id for t in expected[-1].tracks] == [1]
     assert survtrack.iou(found[-1].tracks[0].box, expected[-1].tracks[0].box) > 0.9
     assert kinds(found[0]) == ["whole_frame"]
-    assert kinds(found[1]) == ["acquisition"] * 4 + ["refresh"]
+    assert kinds(found[6]) == ["acquisition"] * 4 + ["refresh"]
     region = next(r for r in found[-1].regions if r.track_id == 1)
     assert region.kind is survtrack.RegionKind.predicted
     assert survtrack.iou(region.box, found[-1].tracks[0].box) > 0.1
@@ -37,14 +42,17 @@ def test_the_same_tracks_in_fewer_pixels() -> None:
 
 def test_nothing_outside_of_the_regions_is_looked_at() -> None:
     frames = scene()
-    detector = survtrack.Detector(survtrack.Config())
+    detector = survtrack.Detector(config_of(segmenter=SOON))
     detector.process(frames[0], 0.0)
+    whole = detector.process(frames[0], 0.1, regions=[survtrack.Box(4, 6, 10, 8)])
+    assert whole is not None and kinds_of(whole) == ["whole_frame"], "the background is young"
+    detector.process(frames[0], 1.0)
     moved = 255 - frames[0]
-    seen = detector.process(moved, 0.1, regions=[survtrack.Box(4, 6, 10, 8)])
+    seen = detector.process(moved, 1.1, regions=[survtrack.Box(4, 6, 10, 8)])
     assert seen is not None and seen.mask is not None and seen.pixels_read == 80
     assert seen.mask.sum() == seen.mask[6:14, 4:14].sum() > 0
     with pytest.raises(survtrack.InputError, match=r"expectation.regions\[0\]: .* lies outside"):
-        detector.process(moved, 0.2, regions=[survtrack.Box(-20, 0, 10, 10)])
+        detector.process(moved, 1.2, regions=[survtrack.Box(-20, 0, 10, 10)])
     other = survtrack.Detector(config_of(segmenter=survtrack.KnnOptions()))
     with pytest.raises(survtrack.InputError, match="reads whole frames"):
         other.process(moved, 0.1, regions=[survtrack.Box(4, 6, 10, 8)])
@@ -52,7 +60,7 @@ def test_nothing_outside_of_the_regions_is_looked_at() -> None:
 
 def test_zones() -> None:
     options = PREDICTED.replace(acquisition="zones", refresh_frames=0)
-    pipeline = survtrack.Pipeline(config_of(regions=options))
+    pipeline = survtrack.Pipeline(config_of(regions=options, segmenter=SOON))
     with pytest.raises(survtrack.InputError, match="needs zones"):
         pipeline.process(scene()[0], 0.0)
     with pytest.raises(survtrack.InputError, match="zones: are none"):
@@ -60,8 +68,8 @@ def test_zones() -> None:
     pipeline.load_zones([survtrack.Box(0, 0, 20, 1000)])
     results = run(pipeline, scene())
     height = scene()[0].shape[0]
-    assert results[1].pixels_read == 20 * height
-    assert results[1].regions[0].box == survtrack.Box(0, 0, 20, height), "cut to the frame"
+    assert results[6].pixels_read == 20 * height
+    assert results[6].regions[0].box == survtrack.Box(0, 0, 20, height), "cut to the frame"
     with pytest.raises(survtrack.InputError, match="no use for them"):
         survtrack.Pipeline().load_zones([survtrack.Box(0, 0, 20, 20)])
     with pytest.raises(survtrack.InputError, match="after the first frame"):
@@ -69,14 +77,14 @@ def test_zones() -> None:
 
 
 def test_a_tracker_alone_says_where_to_look() -> None:
-    tracker = survtrack.Tracker(config_of(regions=PREDICTED))
+    tracker = survtrack.Tracker(config_of(regions=PREDICTED, segmenter=SOON))
     assert tracker.predict(0.0).regions == [], "the size is not known"
     tracker.update(survtrack.Detections([[50, 40, 10, 20]], 0.0, frame_size=(160, 120)))
     expected = tracker.predict(0.1)
     assert [r.kind.name for r in expected.regions] == ["acquisition"] * 4 + ["predicted"]
     box = expected.regions[-1].box
     assert box.x < 50 and box.right > 60 and box.y < 40 and box.bottom > 60
-    fresh = survtrack.Tracker(config_of(regions=PREDICTED))
+    fresh = survtrack.Tracker(config_of(regions=PREDICTED, segmenter=SOON))
     assert len(fresh.predict(0.0, frame_size=(160, 120)).regions) == 4
 
 
@@ -119,7 +127,9 @@ def test_time_goes_on_in_what_is_refreshed() -> None:
     frames = [np.full((120, 160, 3), 90, np.uint8) for _ in range(10)]
     frames += [np.full((120, 160, 3), 90 + i // 4, np.uint8) for i in range(60)]
     options = PREDICTED.replace(refresh_frames=10)
-    config = config_of(regions=options, outputs=survtrack.OutputOptions(background=True))
+    config = config_of(
+        regions=options, segmenter=SOON, outputs=survtrack.OutputOptions(background=True)
+    )
     last = run(survtrack.Pipeline(config), frames, FPS)[-1]
     assert last.background is not None
     assert abs(int(last.background[60, 80, 0]) - 104) < 8

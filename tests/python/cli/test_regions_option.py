@@ -12,6 +12,7 @@ from survtrack.cli.main import main
 
 FRAMES = walking_square(60, width=128, height=96, side=20, still=20)
 ZONES = ("--set", "regions.model=predicted", "--set", "regions.acquisition=zones")
+SOON = ("--set", "segmenter.update_time_s=0.2")  # whole frames for 0.4 s only
 
 
 @pytest.fixture(scope="module")
@@ -32,13 +33,15 @@ def test_the_summary_says_what_was_read(
 ) -> None:
     out = tmp_path / "out"
     zone = ("--zone", "0,30,40,40")
-    assert run("run", clip, *ZONES, *zone, "--out", out, "--video", "--views", "regions") == 0
+    assert (
+        run("run", clip, *ZONES, *SOON, *zone, "--out", out, "--video", "--views", "regions") == 0
+    )
     facts = json.loads((out / "run.json").read_text())
     assert 0.05 < facts["pixels_read_fraction"] < 0.6
     assert facts["zones"] == ["0,30,40,40"] and facts["tracks"] == 1
     part = f"{100 * facts['pixels_read_fraction']:.1f} % of the pixels read"
     assert part in capsys.readouterr().out
-    assert run("segment", clip, *ZONES, *zone, "--out", tmp_path / "masks") == 0
+    assert run("segment", clip, *ZONES, *SOON, *zone, "--out", tmp_path / "masks") == 0
     capsys.readouterr()
     assert run("run", clip, "--out", tmp_path / "whole") == 0
     assert json.loads((tmp_path / "whole" / "run.json").read_text())["pixels_read_fraction"] == 1

@@ -9,10 +9,11 @@ from scenes import config_of, run, scene
 from survtrack.drawing import RegionRenderer, Views, as_scene
 
 PREDICTED = survtrack.PredictedRegionsOptions(border=0.1, refresh_frames=20)
+SOON = survtrack.SelectiveOptions(update_time_s=0.2)  # whole frames for 0.4 s only
 
 
 def test_what_was_not_read_is_dark() -> None:
-    result = run(survtrack.Pipeline(config_of(regions=PREDICTED)), scene())[-1]
+    result = run(survtrack.Pipeline(config_of(regions=PREDICTED, segmenter=SOON)), scene())[-1]
     drawn = RegionRenderer().annotate(as_scene(result.frame), result)
     read = np.zeros(drawn.shape[:2], bool)
     for region in result.regions:

@@ -39,7 +39,7 @@ struct PredictedRegionsOptions {
   bool forward_only = false;
   bool whole_object = true;
   double margin = 0.2;
-  double growth = 0.5;
+  double growth = 1.5;
   Acquisition acquisition = Acquisition::border;
   double border = 0.05;
   int refresh_frames = 20;
