@@ -148,7 +148,7 @@ def _loop(
                     write_held()
         except (Exception, KeyboardInterrupt):
             # What kept a sink from writing would do so again.
-            if len(held) < least and not summary.begun:
+            if 0 < len(held) < least and not summary.begun:
                 write_held()
             raise
     except (Exception, KeyboardInterrupt) as error:

@@ -11,6 +11,12 @@ import survtrack
 from clips import Image, walking_square
 
 FPS = 10.0
+# Presets that need nothing beside their options; the others need paths and zones.
+PRESETS = [
+    name
+    for name in survtrack.preset_names()
+    if survtrack.preset(name).filter.model != "kalman_path"
+]
 MODELS: dict[str, tuple[type[Any], ...]] = {
     "segmenter": (
         survtrack.SelectiveOptions,

@@ -12,7 +12,7 @@
 namespace survtrack {
 namespace {
 
-/// A piece of the path is followed by points no farther apart than this, px.
+/// A piece of the path is followed by points no farther apart than this, px; a very long one by `most_steps` of them.
 constexpr double step_px = 4.0;
 constexpr int most_steps = 256;
 
@@ -34,6 +34,9 @@ void check(const ExpectedObject& object) {
           "the box is not finite or has no size; expected width and height above 0 px");
   require(std::isfinite(object.lost_s) && object.lost_s >= 0.0, "lost_s is below 0 or not finite; expected 0 or more");
 }
+
+/// A place that a path can turn into a position: what is farther away is far outside of any frame too.
+double within(double place_px) { return std::clamp(place_px, -Path::most_position_px, Path::most_position_px); }
 
 /// Grows to hold points.
 struct Hull {
@@ -85,8 +88,8 @@ Hull places(const PredictedRegionsOptions& options, const Path& path, const Expe
   const int steps = std::clamp(static_cast<int>(std::min(std::ceil(reach / step_px), double{most_steps})), 1, most_steps);
   Hull hull;
   for (int i = 0; i <= steps; ++i) {
-    const double s = place.position.s_px + from + reach * i / steps;
-    for (const double t : {-aside, 0.0, aside}) hull.add(path.to_image({s, place.position.t_px + t}));
+    const double s = within(place.position.s_px + from + reach * i / steps);
+    for (const double t : {-aside, 0.0, aside}) hull.add(path.to_image({s, within(place.position.t_px + t)}));
   }
   return hull;
 }

@@ -53,6 +53,7 @@ void RegionGrowth::keep_or_close(TrackTable& table, int i, const Detections& now
 /// A piece of an object that is followed is no newcomer.
 bool RegionGrowth::may_start(const TrackTable& table, int open, int d, const Detections& detections) const {
   const Box& box = detections.items[static_cast<std::size_t>(d)].box;
+  if (!table.accepts(detections.items[static_cast<std::size_t>(d)])) return false;
   if (!is_acquired(box, detections.regions)) return false;
   for (int i = 0; i < open; ++i) {
     const Track& track = table.row(i).track;

@@ -10,7 +10,7 @@ import pytest
 
 import survtrack
 from clips import Image
-from scenes import answer, run, scene
+from scenes import PRESETS, answer, run, scene
 from survtrack import InputError, Pipeline
 
 Layout = Callable[[Image], Image]
@@ -83,7 +83,7 @@ def test_only_the_pixels_count_not_their_layout(layout: Layout, grey: bool) -> N
         assert np.array_equal(frame, kept), "the frame was written to"
 
 
-@pytest.mark.parametrize("preset", survtrack.preset_names())
+@pytest.mark.parametrize("preset", PRESETS)
 def test_grey_frames_are_like_colour_frames_of_three_equal_channels(preset: str) -> None:
     config = survtrack.preset(preset)
     if preset == "survtrack":
@@ -102,7 +102,7 @@ def test_a_frame_of_one_value_is_read_in_place() -> None:
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 1, 3), (1, 200), (200, 1, 3), (3, 2, 3), (65, 1)])
-@pytest.mark.parametrize("preset", survtrack.preset_names())
+@pytest.mark.parametrize("preset", PRESETS)
 def test_the_smallest_frames(shape: tuple[int, ...], preset: str) -> None:
     random = np.random.default_rng(0)
     frames = [random.integers(0, 256, shape, dtype=np.uint8) for _ in range(12)]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import survtrack
-from scenes import answer, run, scene
+from scenes import PRESETS, answer, run, scene
 from survtrack import Detector, InputError, Pipeline, Segmenter
 
 FRAMES = scene()
@@ -39,7 +39,7 @@ ALL_BAD = BAD_CALLS | BAD_INDICES
 
 
 @pytest.mark.parametrize(("arguments", "message"), ALL_BAD.values(), ids=ALL_BAD)
-@pytest.mark.parametrize("preset", survtrack.preset_names())
+@pytest.mark.parametrize("preset", PRESETS)
 def test_an_error_keeps_the_state(arguments: tuple[Any, ...], message: str, preset: str) -> None:
     pipeline = Pipeline.from_preset(preset)
     results = []
@@ -106,7 +106,7 @@ def test_times_may_be_negative_and_far_apart() -> None:
         assert np.isfinite(result.track_array["position_x"]).all()
 
 
-@pytest.mark.parametrize("preset", survtrack.preset_names())
+@pytest.mark.parametrize("preset", PRESETS)
 def test_reset_starts_anew(preset: str) -> None:
     pipeline = Pipeline.from_preset(preset)
     first = answer(run(pipeline, FRAMES))
@@ -137,7 +137,7 @@ def test_after_finish_only_reset_is_allowed() -> None:
 
 
 def test_nothing_comes_of_nothing() -> None:
-    for preset in survtrack.preset_names():
+    for preset in PRESETS:
         assert Pipeline.from_preset(preset).finish() == []
 
 

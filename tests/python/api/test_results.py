@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import survtrack
-from scenes import answer, rows, run, scene
+from scenes import PRESETS, answer, rows, run, scene
 from survtrack import EventKind, Pipeline, TrackStatus
 
 FRAMES = scene(60)
@@ -193,7 +193,7 @@ def test_outputs_that_are_asked_for() -> None:
     assert asked[40].costs.tolist() == [[match.cost]]
 
 
-@pytest.mark.parametrize("preset", survtrack.preset_names())
+@pytest.mark.parametrize("preset", PRESETS)
 def test_a_result_never_changes(preset: str) -> None:
     config = survtrack.preset(preset)
     pictures = config.segmenter.model != "horn_schunck"

@@ -12,7 +12,7 @@ import pytest
 import outside_project
 import survtrack
 from clips import Image
-from scenes import run, scene
+from scenes import PRESETS, run, scene
 
 Values = list[str | float]
 
@@ -63,7 +63,7 @@ def crowd() -> list[Image]:
     return frames
 
 
-@pytest.mark.parametrize("preset", survtrack.preset_names())
+@pytest.mark.parametrize("preset", PRESETS)
 @pytest.mark.parametrize("grey", [False, True], ids=["colour", "grey"])
 def test_cpp_and_python_give_the_same_bytes(
     program: Path, tmp_path: Path, preset: str, grey: bool

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import survtrack
-from scenes import rows
+from scenes import PRESETS, rows
 from survtrack import Detections, EventKind, InputError, Tracker, TrackStatus
 
 BOX = [10.0, 10.0, 20.0, 40.0]
-PRESETS = survtrack.preset_names()
-OF_SEVERAL = [name for name in PRESETS if name != "suliman2010"]  # one contact, kept for ever
+ONE = ("suliman2010", "nashenda2011", "nashenda2011_published")  # one contact, kept for ever
+OF_SEVERAL = [name for name in PRESETS if name not in ONE]
 
 
 def walk(k: int) -> list[list[float]]:

@@ -144,4 +144,4 @@ def test_public_sets_are_whole(data: Path) -> None:
     [campus] = find_datasets(data, ["TUD-Campus"])
     footage = load(campus, (320, 240))
     assert (len(footage.frames), footage.source_size, len(footage.truth)) == (71, (640, 480), 359)
-    assert len(find_datasets(data, list(PUBLIC))) == 4
+    assert len(find_datasets(data, list(PUBLIC))) == 5

@@ -343,7 +343,7 @@ def test_the_command_needs_no_footage_and_takes_it(
     assert len(results["claims"]) == 18
     assert results["sets"][0]["frames_compared"] == 7 * 10
     assert results["refused"]["R"].startswith("R: is not positive semi-definite")
-    assert results["config"]["segmenter"]["threshold"] == 37
+    assert results["config"]["segmenter"]["threshold_blue"] == 37
     alone, report = reproduced(tmp_path / "alone")
     assert alone["sets"] == [] and "## Footage" not in report
     assert {key: alone[key] for key in ("sweep", "best_q", "gaps", "errata", "matrices")} == {

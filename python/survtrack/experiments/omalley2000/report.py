@@ -151,7 +151,7 @@ def _footage(one: Read) -> str:
 {one.frames} frames, the default preset. An object is inside when its box in the run on whole frames
 lies in the region of the track that followed it in the frame before; found are that run's boxes
 with an IoU above 0.5. The fixed box is a square about the prediction, two and a half times the
-object's longer side. Time is that of the pipeline, by the whole frame's.
+object's longer side. Time is processor time, by the whole frame's.
 
 {table(header, rows)}"""
 
