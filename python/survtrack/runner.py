@@ -174,8 +174,13 @@ def results(
             watch.pipeline_seconds += perf_counter() - began
             if result is not None:
                 yield result
-    except (Exception, KeyboardInterrupt):
-        yield from _finish(pipeline, watch)
+    except (Exception, KeyboardInterrupt) as error:
+        try:
+            rest = _finish(pipeline, watch)
+        except Exception:
+            # What failed may also keep the pipeline from its end: the first error is the cause.
+            raise error from None
+        yield from rest
         raise
     yield from _finish(pipeline, watch)
 

@@ -110,9 +110,18 @@ def sections_agree(config: survtrack.Config) -> bool:
             return False
         if lifecycle.keep_contacts and config.reentry.model == "remember":
             return False
+    colors = config.appearance
+    if isinstance(colors, survtrack.ColorHistogramOptions) and not (
+        colors.weight or colors.min_intersection
+    ):
+        return False
     regions = config.regions
     if isinstance(regions, survtrack.PredictedRegionsOptions):
         if config.segmenter.model not in READ_REGIONS:
+            return False
+        if regions.acquisition == "strip" and not regions.refresh_frames:
+            return False
+        if getattr(config.filter, "covariances", "checked") == "as_published":
             return False
         # A config alone says nothing of zones.
         if regions.acquisition == "zones":

@@ -193,6 +193,17 @@ def test_a_sink_that_fails_at_its_end_is_told_and_all_others_are_finished() -> N
     assert not summary.complete
 
 
+def test_a_pipeline_that_cannot_finish_does_not_hide_why() -> None:
+    class Broken(Pipeline):
+        def finish(self) -> list[Result]:
+            raise ValueError("a consequence")
+
+    sink = Recorder()
+    summary = run_fake(ArraySource(FRAMES), Broken(fails_at=4), sink)
+    assert sink.indices == [0, 1, 2, 3] and sink.finished
+    assert summary.error is not None and "consequence" not in str(summary.error)
+
+
 def test_the_first_of_several_errors_is_the_one_told() -> None:
     sinks = Recorder(fails_at_end=True), Recorder(fails_at_end=True)
     summary = run_fake(ArraySource([*FRAMES[:2], FRAMES[2][:9]]), Pipeline(), *sinks)

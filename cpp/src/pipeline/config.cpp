@@ -86,6 +86,19 @@ struct CheckReadsRegions {
   }
 };
 
+void check_regions(const PredictedRegionsOptions& regions, const Config& config) {
+  std::visit(CheckReadsRegions{}, config.segmenter);
+  if (regions.acquisition == Acquisition::strip && regions.refresh_frames == 0) {
+    throw ConfigError("regions.refresh_frames: 0 reads no strip, and regions.acquisition is \"strip\": newcomers would never be seen; "
+                      "expected 1 or more, or another regions.acquisition");
+  }
+  const auto* discrete = std::get_if<KalmanDiscreteOptions>(&config.filter);
+  if (discrete != nullptr && discrete->covariances == Covariances::as_published) {
+    throw ConfigError("regions.model: \"predicted\" needs a covariance, and filter.covariances is \"as_published\"; "
+                      "expected filter.covariances checked, or regions.model none");
+  }
+}
+
 constexpr const char* default_preset = "survtrack";
 
 }  // namespace
@@ -179,7 +192,13 @@ const Config& Config::check() const {
     throw ConfigError("outputs.flow: true needs a flow field, and segmenter.model is another; "
                       "expected segmenter.model horn_schunck, or false");
   }
-  if (std::holds_alternative<PredictedRegionsOptions>(regions)) std::visit(CheckReadsRegions{}, segmenter);
+  if (const auto* predicted = std::get_if<PredictedRegionsOptions>(&regions)) check_regions(*predicted, *this);
+  if (const auto* colors = std::get_if<ColorHistogramOptions>(&appearance)) {
+    if (colors->weight == 0.0 && colors->min_intersection == 0.0) {
+      throw ConfigError("appearance.weight: 0 changes nothing with appearance.min_intersection 0; expected one of them above 0, "
+                        "or appearance.model none");
+    }
+  }
   if (const auto* contacts = std::get_if<CountMedianOptions>(&lifecycle)) check_contacts(*contacts, reentry);
   return *this;
 }

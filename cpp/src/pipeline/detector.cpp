@@ -13,7 +13,7 @@
 namespace survtrack {
 namespace {
 
-/// Of what is read of a frame, a larger part than this is foreground when the light or the camera changed.
+/// Of the strip that is read in turn, a larger part than this is foreground when the light or the camera changed.
 constexpr double flood = 0.6;
 
 void check_regions(const std::vector<Region>& regions, const cv::Size& size, bool readable) {
@@ -129,7 +129,9 @@ void Detector::segment(const TimedFrame& frame, const Expectation& expectation, 
   } else {
     segmenter_->segment_regions(frame.image, expectation, plan_, detections.mask, detections.events);
   }
-  const bool flooded = cv::countNonZero(detections.mask) > flood * static_cast<double>(plan_.pixels());
+  // The strip says something of the scene; a region that its object fills does not.
+  const bool flooded = !strip_rows_.empty() && cv::countNonZero(detections.mask.rowRange(strip_rows_)) >
+                                                   flood * strip_rows_.size() * frame.image.cols;
   look_at_all_ = !plan_.whole() && flooded && !flooded_;
   flooded_ = flooded;
 }
@@ -137,10 +139,12 @@ void Detector::segment(const TimedFrame& frame, const Expectation& expectation, 
 /// Turns what is expected, and the strip whose turn it is, into `plan_`, and into the list of regions read.
 void Detector::plan(const cv::Size& size, double time_s, const Expectation& expectation, std::vector<Region>& regions) {
   regions.clear();
+  strip_rows_ = {};
   plan_.clear(size);
   const bool whole = !expectation.only_regions || segmenter_->needs_whole_frame() || look_at_all_;
+  // A whole frame has its acquisition regions, too: newcomers start there only.
+  if (expectation.only_regions) regions = expectation.regions;
   if (!whole) {
-    regions = expectation.regions;
     for (const Region& region : regions) plan_.add(pixel_rect(region.box, size));
     if (regions_ && regions_->refresh_frames > 0) add_strip(size, time_s, regions);
     plan_.finish();
@@ -160,6 +164,7 @@ void Detector::add_strip(const cv::Size& size, double time_s, std::vector<Region
   const auto edge = [&](std::int64_t i) { return static_cast<int>(i * size.height / count); };
   const int top = edge(strip), bottom = edge(strip + 1);
   plan_.refresh(top, bottom, time_s - strip_read_s_[strip_]);
+  strip_rows_ = {top, bottom};
   regions.push_back({{0.0, static_cast<double>(top), static_cast<double>(size.width), static_cast<double>(bottom - top)},
                      RegionKind::refresh, 0});
   strip_read_s_[strip_] = time_s;

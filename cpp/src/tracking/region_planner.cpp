@@ -25,6 +25,17 @@ std::string text_of(const Box& box) {
          std::to_string(box.height) + ")";
 }
 
+/// Rounding may take a variance a little below 0.
+Symmetric2 without_negative(const Symmetric2& C) { return {std::max(C.xx, 0.0), C.xy, std::max(C.yy, 0.0)}; }
+
+bool is_finite(const ExpectedObject& object) {
+  const Symmetric2& C = object.covariance_px2;
+  const Box& box = object.box;
+  const double sum = object.before.x + object.before.y + object.position.x + object.position.y + C.xx + C.xy + C.yy + box.x +
+                     box.y + box.width + box.height;
+  return std::isfinite(sum);
+}
+
 }  // namespace
 
 void RegionPlanner::load_zones(const std::vector<Box>& zones) {
@@ -69,15 +80,19 @@ void RegionPlanner::plan(const TrackTable& table, int frame_width, int frame_hei
   } else if (options_.acquisition == Acquisition::zones) {
     for (const Box& zone : zones_) add(zone, RegionKind::acquisition, 0);
   }
-  for (int i = 0; i < table.size(); ++i) add(region_of(table, i), RegionKind::predicted, table.row(i).track.id);
+  for (int i = 0; i < table.size(); ++i) {
+    const std::optional<Box> region = region_of(table, i);
+    add(region.value_or(Box{0.0, 0.0, width, height}), RegionKind::predicted, table.row(i).track.id);
+  }
 }
 
-Box RegionPlanner::region_of(const TrackTable& table, int i) const {
+/// Nothing when the object may be anywhere: after very long gaps numbers grow beyond all bounds.
+std::optional<Box> RegionPlanner::region_of(const TrackTable& table, int i) const {
   const OpenTrack& row = table.row(i);
   ExpectedObject object;
   object.before = row.track.position;
   object.position = table.predicted_position(i);
-  object.covariance_px2 = table.predicted_covariance_px2(i);
+  object.covariance_px2 = without_negative(table.predicted_covariance_px2(i));
   object.box = table.predicted_box(i);
   object.lost_s = table.lost_s(i);
   // What was cut off, by the border or by the region itself, is seen only when the region allows for it.
@@ -86,8 +101,11 @@ Box RegionPlanner::region_of(const TrackTable& table, int i) const {
     const double missing = scale.height_px(object.box.bottom()) - object.box.height;
     if (missing > 0.0) object.box = {object.box.x, object.box.y - missing, object.box.width, object.box.height + missing};
   }
+  if (!is_finite(object)) return std::nullopt;
   if (const std::optional<PathState> state = table.path_state(i)) {
-    return predicted_region(options_, object, *state->path, {state->place_before, state->predicted, state->covariance_px2});
+    const Symmetric2 covariance = without_negative(state->covariance_px2);
+    if (!std::isfinite(covariance.xx) || !std::isfinite(covariance.yy)) return std::nullopt;
+    return predicted_region(options_, object, *state->path, {state->place_before, state->predicted, covariance});
   }
   return predicted_region(options_, object);
 }

@@ -43,8 +43,8 @@ ZoneOption = Annotated[
     typer.Option(
         "--zone",
         metavar="L,T,W,H",
-        help="Where newcomers are looked for (left, top, width, height in px), with "
-        "--set regions.model=predicted --set regions.acquisition=zones; repeat it.",
+        help="Where newcomers are looked for (left, top, width, height in px, after --resize), "
+        "with --set regions.model=predicted --set regions.acquisition=zones; repeat it.",
     ),
 ]
 FpsOption = Annotated[

@@ -128,6 +128,14 @@ TEST(ConfigMessages, ContactsThatAreNotKeptDoNotStartAnew) {
   EXPECT_NO_THROW(config.check());
 }
 
+TEST(ConfigMessages, HistogramsThatCountForNothingAreRefused) {
+  Config config;
+  config.appearance = ColorHistogramOptions{.weight = 0.0, .min_intersection = 0.0};
+  EXPECT_EQ(message_of<ConfigError>([&] { config.check(); }).find("appearance.weight: 0 changes nothing"), 0U);
+  config.appearance = ColorHistogramOptions{.weight = 0.0, .min_intersection = 0.5};
+  EXPECT_NO_THROW(config.check());
+}
+
 TEST(ConfigMessages, ContactsThatAreKeptDoNotComeBack) {
   Config config;
   config.lifecycle = CountMedianOptions{.keep_contacts = true};

@@ -77,7 +77,7 @@ TEST(Regions, TheStripFindsWhatNoRegionHolds) {
     return frames;
   };
   EXPECT_LT(found_after(10), 25);
-  EXPECT_EQ(found_after(0), 60) << "nothing is read anywhere";
+  EXPECT_EQ(message_of<ConfigError>([&] { found_after(0); }).find("regions.refresh_frames: 0 reads no strip"), 0U);
 }
 
 TEST(Regions, AreReadWholeWhenTheyWouldCostMore) {
@@ -114,6 +114,61 @@ TEST(Regions, NeedAModelThatReadsThem) {
             0U)
       << message;
   EXPECT_THROW(Pipeline{config}, ConfigError);
+}
+
+TEST(Regions, NeedACovariance) {
+  Config config = region_config();
+  config.filter = KalmanDiscreteOptions{.covariances = Covariances::as_published};
+  config.cost = DistanceOptions{};
+  EXPECT_EQ(message_of<ConfigError>([&] { config.check(); })
+                .find("regions.model: \"predicted\" needs a covariance, and filter.covariances is \"as_published\""),
+            0U);
+}
+
+TEST(Regions, AnObjectThatFillsItsRegionIsNoFlood) {
+  Config config = region_config(Acquisition::zones);
+  config.lifecycle = RegionGrowthOptions{};
+  auto& regions = std::get<PredictedRegionsOptions>(config.regions);
+  regions.margin = 0.0;
+  Pipeline pipeline(config);
+  pipeline.load_zones({{0.0, 52.0, 16.0, 16.0}});
+  SyntheticScene scene;
+  scene.enters_s = 1.0;
+  int whole = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto result = pipeline.process(scene.frame(0.1 * i), 0.1 * i);
+    if (i > 6) whole += static_cast<int>(count_of(*result, RegionKind::whole_frame));
+  }
+  EXPECT_EQ(whole, 0);
+}
+
+TEST(Regions, NobodyStartsOutsideOfTheZonesInWholeFramesEither) {
+  Config config = region_config(Acquisition::zones);
+  std::get<SelectiveOptions>(config.segmenter).update_time_s = 100.0;  // whole frames all the time
+  config.lifecycle = RegionGrowthOptions{};
+  Pipeline pipeline(config);
+  pipeline.load_zones({{140.0, 0.0, 20.0, 20.0}});
+  for (const FrameResult& result : run_scene(pipeline, {}, steady_times(10.0, 40))) {
+    EXPECT_EQ(count_of(result, RegionKind::whole_frame), 1U);
+    EXPECT_EQ(count_of(result, RegionKind::acquisition), 1U);
+    EXPECT_TRUE(result.tracks.empty());
+  }
+}
+
+TEST(Regions, AfterAnyGapTheRunGoesOn) {
+  for (const FilterOptions& filter : std::vector<FilterOptions>{KalmanCvOptions{}, KalmanCaOptions{}, ExtendedOptions{}}) {
+    Config config = region_config();
+    config.filter = filter;
+    config.lifecycle = CountMedianOptions{.median_frames = 1, .keep_contacts = true};
+    Pipeline pipeline(config);
+    const SyntheticScene scene;
+    double time_s = 0.0;
+    for (int i = 0; i < 20; ++i) pipeline.process(scene.frame(0.1 * i), time_s = 0.1 * i);
+    for (const double gap_s : {1e3, 1e7, 1e9, 1e11}) {
+      time_s += gap_s;
+      EXPECT_NO_THROW(pipeline.process(scene.frame(2.0), time_s)) << gap_s;
+    }
+  }
 }
 
 TEST(Regions, OfTheCallersOwnAreRead) {

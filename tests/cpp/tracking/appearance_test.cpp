@@ -61,11 +61,11 @@ class Play {
 using Ids = std::vector<std::int64_t>;
 
 TEST(Appearance, ColoursDecideBetweenPlacesThatAreAsNear) {
-  for (const double weight : {0.0, 100.0}) {
+  for (const double weight : {1e-9, 100.0}) {
     Play play(config_with(weight));
     for (int i = 0; i < 5; ++i) EXPECT_EQ(play.frame({{100.0, 3}, {200.0, 77}}), (Ids{1, 2}));
     // They changed places while nobody looked.
-    const Ids expected = weight > 0.0 ? Ids{2, 1} : Ids{1, 2};
+    const Ids expected = weight > 1.0 ? Ids{2, 1} : Ids{1, 2};
     EXPECT_EQ(play.frame({{140.0, 77}, {160.0, 3}}), expected) << weight;
   }
 }

@@ -19,10 +19,18 @@ def frames_of(video: Path) -> Iterator[Image]:
 
 
 def scores_of_default_preset(data: Path, fps: float) -> TrackScores:
-    """vtest.avi is MOT15's PETS09-S2L1: frame k from 0 is frame k + 1 there."""
-    pipeline, reported = survtrack.Pipeline(), []
+    return scores_of(data, fps, survtrack.Config())[0]
+
+
+def scores_of(data: Path, fps: float, config: survtrack.Config) -> tuple[TrackScores, float]:
+    """Of vtest.avi, and the part of its pixels that was read.
+
+    It is MOT15's PETS09-S2L1: frame k from 0 is frame k + 1 there.
+    """
+    pipeline, reported, read = survtrack.Pipeline(config), [], 0
     for index, frame in enumerate(frames_of(data / "video" / "vtest.avi")):
         result = pipeline.process(frame, index / fps)
+        read += result.pixels_read
         reported += [(index + 1, track) for track in result.tracks if track.reported]
     assert index == 794
     tracks = Boxes(
@@ -34,7 +42,7 @@ def scores_of_default_preset(data: Path, fps: float) -> TrackScores:
     scores = evaluate_tracks(truth, tracks, frames=(1, 795))
     names = ("HOTA", "DetA", "AssA", "MOTA", "IDF1", "switches")
     print(f"vtest.avi at {fps:g} fps:", {name: scores.to_dict()[name] for name in names})
-    return scores
+    return scores, read / (795 * 768 * 576)
 
 
 def test_people_crossing_a_campus(data: Path) -> None:
@@ -47,6 +55,19 @@ def test_people_crossing_a_campus(data: Path) -> None:
     assert header_rate.hota >= true_rate.hota - 3
     assert header_rate.mota >= true_rate.mota - 3
     assert header_rate.idf1 >= true_rate.idf1 - 3
+
+
+def test_regions_find_as_much_in_half_of_the_pixels(data: Path) -> None:
+    whole, everything = scores_of(data, 7, survtrack.Config())
+    assert everything == 1
+    for acquisition, refresh_frames in (("border", 20), ("strip", 8)):
+        regions = survtrack.PredictedRegionsOptions(
+            acquisition=acquisition, refresh_frames=refresh_frames
+        )
+        parts, read = scores_of(data, 7, survtrack.Config(regions=regions))
+        print(f"{acquisition}: {100 * read:.1f} % of the pixels, MOTA {parts.mota:.1f}")
+        assert read <= 0.5
+        assert parts.mota >= whole.mota - 1
 
 
 def scores_of_average(data: Path, masks: Path, secondary_background: bool) -> MaskScores:

@@ -103,7 +103,13 @@ def test_progress_counts_the_frames_of_the_synthetic_runs(tmp_path: Path) -> Non
 
 
 def test_narayana2007_has_no_scenes_of_its_own() -> None:
-    assert list(EXPERIMENTS) == ["narayana2007", "nashenda2011", "omalley2000", "semko2007", "suliman2010"]
+    assert list(EXPERIMENTS) == [
+        "narayana2007",
+        "nashenda2011",
+        "omalley2000",
+        "semko2007",
+        "suliman2010",
+    ]
     assert Narayana2007.made_frames == 0
     Narayana2007().measure_made(lambda frames: pytest.fail("a run"))
 

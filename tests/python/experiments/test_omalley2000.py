@@ -11,10 +11,13 @@ import numpy as np
 import pytest
 
 import survtrack
-from survtrack.experiments import ReportFolder
+from survtrack.evaluation import Boxes
+from survtrack.experiments import Dataset, ReportFolder
+from survtrack.experiments.footage import Footage
 from survtrack.experiments.omalley2000 import (
     OMalley2000,
     filters,
+    footage_runs,
     identified,
     listing,
     measured,
@@ -24,6 +27,7 @@ from survtrack.experiments.omalley2000 import (
 )
 from survtrack.experiments.omalley2000.claims import claims
 from survtrack.experiments.omalley2000.errata import ERRATA, Erratum, measure_errata
+from survtrack.scenes import make_scene
 
 TICKS: list[int] = []
 
@@ -194,6 +198,29 @@ def test_a_car_is_held_with_all_its_corners() -> None:
     ]
     assert regions.holds(survtrack.Box(32, -5, 36, 16), corners)
     assert not regions.holds(survtrack.Box(33, -5, 36, 16), corners)
+
+
+def test_footage_is_read_whole_and_in_regions() -> None:
+    scene = make_scene("crossing", size=(160, 120), frame_count=150, fps=10, seed=1)
+    truth = scene.truth()
+    rows = [(index + 1, truth.at(index)) for index in range(150)]
+    boxes = Boxes(
+        [frame for frame, at in rows for _ in at.ids],
+        [int(one) for _, at in rows for one in at.ids],
+        [list(box) for _, at in rows for box in at.boxes],
+    )
+    frames = [frame for _, _, frame in scene.frames()]
+    dataset = Dataset("crossing", "made", None, 10.0)
+    footage = Footage(dataset, frames, 10.0, (160, 120), (160, 120), boxes)
+    ticks: list[None] = []
+    read = footage_runs.measure(footage, lambda: ticks.append(None))
+    assert len(ticks) == OMalley2000.runs == len(read.runs)
+    whole, parts = read.runs["whole frame"], read.runs["3 sigmas"]
+    assert (whole.pixels, whole.found, whole.followed) == (1.0, 1.0, 0)
+    assert parts.pixels < 0.95 and parts.followed > 20 and parts.hit_rate > 0.9
+    assert parts.found > 0.8 and parts.scores is not None and whole.scores is not None
+    assert parts.scores.mota > whole.scores.mota - 10
+    assert set(parts.facts()) == set(whole.facts())
 
 
 @pytest.mark.usefixtures("made")

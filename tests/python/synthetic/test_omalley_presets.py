@@ -88,6 +88,19 @@ def test_the_printed_values_run_and_say_the_same_again(preset: str) -> None:
     assert any(row[6] for row in first), "somebody was followed"
 
 
+def test_no_gap_in_time_ends_the_run() -> None:
+    scene, paths = race()
+    frames = [frame for _, _, frame in scene.frames()][:120]
+    lane = survtrack.Paths({"open": survtrack.Path([(0, 120), (319, 100)], max_distance_px=200)})
+    for preset in ("omalley2000", "omalley2000_identified", "omalley2000_published"):
+        for lanes in (paths, lane):
+            pipeline = pipeline_of(preset, lanes)
+            for index, frame in enumerate(frames):
+                pipeline.process(frame, index / FPS)
+            for gap_s in (1e3, 3e5, 1e7, 1e9):
+                assert pipeline.process(frames[-1], 100 + gap_s) is not None
+
+
 def test_what_is_missing_is_told_before_the_first_frame() -> None:
     frame = np.zeros((240, 320, 3), np.uint8)
     pipeline = survtrack.Pipeline.from_preset("omalley2000")

@@ -45,7 +45,7 @@ struct Detections {
   std::vector<Detection> items;
   std::vector<std::vector<cv::Point>> contours;  ///< outer contour a detection, when asked for
   std::vector<ColorHistogram> histograms;        ///< of its pixels a detection, with appearance.model color_histogram
-  std::vector<Region> regions;  ///< the parts of the frame that were read; they may overlap
+  std::vector<Region> regions;  ///< the parts of the frame that were read; they may overlap, and lie in one of the whole frame
   std::int64_t pixels_read = 0;  ///< number of pixels in them, each counted once
   std::vector<Event> events;  ///< raised by the detector
   cv::Mat mask;               ///< CV_8UC1, 0 or 255; empty for a user's own boxes

@@ -68,7 +68,7 @@ class Detector {
   /// The expectation is for the time of `next()`. Throws `InputError` when it is not, or when it names regions
   /// and the background model reads whole frames, or a region wholly outside of the frame. Where it names some, only
   /// they are read, and with `regions.model = predicted` a strip in turn; the frame is read whole when the background
-  /// model starts, when about all would be read, and after a frame that was nearly all foreground where it was read.
+  /// model starts, when about all would be read, and after a strip that was mostly foreground.
   void detect(const Expectation& expectation, Detections& detections);
 
  private:
@@ -88,7 +88,8 @@ class Detector {
   ReadPlan plan_;
   std::vector<double> strip_read_s_;  ///< when each strip was last read
   std::size_t strip_ = 0;             ///< the next one
-  bool flooded_ = false;              ///< nearly all that was read of the frame before was foreground
+  cv::Range strip_rows_{0, 0};        ///< of the present one; none in whole frames
+  bool flooded_ = false;              ///< most of the last strip was foreground
   bool look_at_all_ = false;          ///< and so the next is read whole
   std::unique_ptr<Segmenter> segmenter_;
   Cleanup cleanup_;

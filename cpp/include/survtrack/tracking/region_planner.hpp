@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "survtrack/core/region.hpp"
@@ -28,7 +29,7 @@ class RegionPlanner {
   void plan(const TrackTable& table, int frame_width, int frame_height, std::vector<Region>& regions) const;
 
  private:
-  Box region_of(const TrackTable& table, int i) const;
+  std::optional<Box> region_of(const TrackTable& table, int i) const;
 
   PredictedRegionsOptions options_;
   std::vector<Box> zones_;
