@@ -203,12 +203,13 @@ def test_a_car_is_held_with_all_its_corners() -> None:
 def test_footage_is_read_whole_and_in_regions() -> None:
     scene = make_scene("crossing", size=(160, 120), frame_count=150, fps=10, seed=1)
     truth = scene.truth()
-    rows = [(index + 1, truth.at(index)) for index in range(150)]
-    boxes = Boxes(
-        [frame for frame, at in rows for _ in at.ids],
-        [int(one) for _, at in rows for one in at.ids],
-        [list(box) for _, at in rows for box in at.boxes],
-    )
+    rows = [
+        (index + 1, int(one), list(box))
+        for index in range(150)
+        for one, box in zip(truth.at(index).ids, truth.at(index).boxes, strict=True)
+        if min(box[2:]) > 0
+    ]
+    boxes = Boxes([row[0] for row in rows], [row[1] for row in rows], [row[2] for row in rows])
     frames = [frame for _, _, frame in scene.frames()]
     dataset = Dataset("crossing", "made", None, 10.0)
     footage = Footage(dataset, frames, 10.0, (160, 120), (160, 120), boxes)
