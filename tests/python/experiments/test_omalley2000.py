@@ -218,7 +218,7 @@ def test_footage_is_read_whole_and_in_regions() -> None:
     assert len(ticks) == OMalley2000.runs == len(read.runs)
     whole, parts = read.runs["whole frame"], read.runs["3 sigmas"]
     assert (whole.pixels, whole.found, whole.followed) == (1.0, 1.0, 0)
-    assert parts.pixels < 0.95 and parts.followed > 20 and parts.hit_rate > 0.9
+    assert parts.pixels < 0.95 and parts.followed > 10 and parts.hit_rate > 0.9
     assert parts.found > 0.8 and parts.scores is not None and whole.scores is not None
     assert parts.scores.mota > whole.scores.mota - 10
     assert set(parts.facts()) == set(whole.facts())
