@@ -162,7 +162,7 @@ const Config& Config::check() const {
   check_filter(filter, "filter");
   if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
     throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
-                      "expected cost.model match_matrix, belief or distance, or filter.model kalman_cv or kalman_ca");
+                      "expected cost.model match_matrix, belief or distance, or another filter.model");
   }
   const auto* discrete = std::get_if<KalmanDiscreteOptions>(&filter);
   if (discrete != nullptr && discrete->covariances == Covariances::as_published &&

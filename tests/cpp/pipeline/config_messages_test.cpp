@@ -103,7 +103,7 @@ TEST(ConfigMessages, AFilterWithoutCovarianceHasNoGaussianCost) {
   config.cost = GaussianCostOptions{};
   EXPECT_EQ(message_of<ConfigError>([&] { Tracker{config}; }),
             "cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
-            "expected cost.model match_matrix, belief or distance, or filter.model kalman_cv or kalman_ca");
+            "expected cost.model match_matrix, belief or distance, or another filter.model");
   EXPECT_THROW(Detector{config}, ConfigError);
   EXPECT_THROW(config.check(), ConfigError);
   const std::vector<CostOptions> allowed = {MatchMatrixOptions{}, BeliefOptions{}, DistanceOptions{}};
