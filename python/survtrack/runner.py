@@ -13,7 +13,7 @@ from survtrack.errors import InputError, UsageError
 from survtrack.sources import ArraySource, Prefetch, open_source
 
 if TYPE_CHECKING:
-    from survtrack._core import Config, FrameResult, Paths, Pipeline
+    from survtrack._core import Box, Config, FrameResult, Paths, Pipeline
     from survtrack.sinks import Sink
     from survtrack.sources import Frame, Source
 
@@ -242,6 +242,8 @@ def track(
     limit: int | None = None,
     resize: tuple[int, int] | None = None,
     paths: "Paths | None" = None,
+    zones: "Sequence[Box]" = (),
+    background: "Frame | None" = None,
 ) -> "Iterator[tuple[Frame, FrameResult]]":
     """Track what moves in a video, a folder or glob of images, an iterable of arrays or a Source.
 
@@ -254,13 +256,15 @@ def track(
         preset: name of a preset; not looked at when `config` is given.
         config: what to run instead of a preset.
         paths: those of the scene, which filter.model kalman_path needs; others leave them aside.
+        zones: where newcomers are looked for, px, with regions.acquisition zones.
+        background: the picture to start from, with segmenter.source picture.
 
     Returns:
         An iterator of (frame, result); frame is the one that the result belongs to. What the
         source raises comes after the results of the frames before it.
 
     Raises:
-        InputError: the source cannot be read; the paths cannot be used.
+        InputError: the source cannot be read; the paths, zones or background cannot be used.
         UsageError: a bad option, or any of source's options with one that is open already.
     """
     import survtrack
@@ -268,6 +272,10 @@ def track(
     pipeline = survtrack.Pipeline(config or survtrack.preset(preset))
     if paths is not None:
         pipeline.load_paths(paths)
+    if zones:
+        pipeline.load_zones(list(zones))
+    if background is not None:
+        pipeline.load_background(background)
     frames = open_source(source, fps=fps, start=start, step=step, limit=limit, resize=resize)
     refuse_endless_delay(frames, pipeline)
     return _pairs(frames, pipeline)

@@ -121,6 +121,8 @@ def sections_agree(config: survtrack.Config) -> bool:
             return False
         if regions.acquisition == "strip" and not regions.refresh_frames:
             return False
+        if config.filter.model == "mean_velocity":
+            return False
         if getattr(config.filter, "covariances", "checked") == "as_published":
             return False
         # A config alone says nothing of zones.

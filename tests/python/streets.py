@@ -3,11 +3,16 @@
 """People who walk two streets that cross, as tracks."""
 
 from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import survtrack
+from runs import write_run
+from survtrack.sinks.tracks_csv import COLUMNS
 
+SIZE = (480, 400)
 Place = tuple[float, float]
 EAST: tuple[Place, Place] = ((40, 200), (440, 200))
 WEST: tuple[Place, Place] = ((440, 200), (40, 200))
@@ -38,3 +43,30 @@ def history_of(
     centres = np.concatenate(places)
     boxes = np.column_stack([centres - (10, 40), np.full_like(centres, (20, 80))])
     return survtrack.History.from_columns(ids=ids, indices=frames, times_s=frames / 10, boxes=boxes)
+
+
+def write_streets(
+    folder: Path,
+    ways: Sequence[tuple[Place, Place]],
+    speeds: Sequence[float] = (),
+    **facts: Any,
+) -> Path:
+    """A run whose tracks go these ways."""
+    write_run(folder, walks=(), size=list(SIZE), **facts)
+    rows = []
+    for point in history_of(ways, speeds).array:
+        cells = dict.fromkeys(COLUMNS, "0")
+        cells |= {
+            "frame": str(point["index"] + 1),
+            "time_s": f"{point['time_s']:.6f}",
+            "id": str(point["id"]),
+            "left_px": f"{point['x']:.3f}",
+            "top_px": f"{point['y']:.3f}",
+            "width_px": "20.000",
+            "height_px": "80.000",
+            "x_px": f"{point['position_x']:.3f}",
+            "y_px": f"{point['position_y']:.3f}",
+        }
+        rows.append(",".join(cells.values()))
+    (folder / "tracks.csv").write_text("\n".join([",".join(COLUMNS), *rows]) + "\n")
+    return folder

@@ -92,6 +92,10 @@ void check_regions(const PredictedRegionsOptions& regions, const Config& config)
     throw ConfigError("regions.refresh_frames: 0 reads no strip, and regions.acquisition is \"strip\": newcomers would never be seen; "
                       "expected 1 or more, or another regions.acquisition");
   }
+  if (std::holds_alternative<MeanVelocityOptions>(config.filter)) {
+    throw ConfigError("regions.model: \"predicted\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
+                      "expected another filter.model, or regions.model none");
+  }
   const auto* discrete = std::get_if<KalmanDiscreteOptions>(&config.filter);
   if (discrete != nullptr && discrete->covariances == Covariances::as_published) {
     throw ConfigError("regions.model: \"predicted\" needs a covariance, and filter.covariances is \"as_published\"; "

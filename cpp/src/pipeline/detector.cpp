@@ -152,6 +152,8 @@ void Detector::plan(const cv::Size& size, double time_s, const Expectation& expe
   const double most = (regions_ ? regions_->whole_above : 1.0) * size.area();
   if (!whole && static_cast<double>(plan_.pixels()) <= most) return;
   plan_.read_whole(size);
+  if (!strip_rows_.empty()) regions.pop_back();  // the strip is no more
+  strip_rows_ = {};
   regions.push_back({{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)}, RegionKind::whole_frame, 0});
   // The first frame is one of these.
   if (regions_) strip_read_s_.assign(static_cast<std::size_t>(std::min(regions_->refresh_frames, size.height)), time_s);

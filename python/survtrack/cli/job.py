@@ -95,8 +95,8 @@ def execute(
         pipeline.load_paths(paths)
     elif config.filter.model == "kalman_path":
         raise UsageError(
-            'filter.model "kalman_path": follows objects along paths; add --path FILE to '
-            "`survtrack run`, or choose another filter"
+            'filter.model "kalman_path": follows objects along paths; add --path FILE, '
+            "or choose another filter"
         )
     if request.scene is not None:
         pipeline.load_learned_scene(read_text(request.scene), str(request.scene))

@@ -10,6 +10,7 @@ import typer
 
 import survtrack
 from survtrack.cli.evaluate import evaluate, evaluate_masks
+from survtrack.cli.find import find
 from survtrack.cli.link import link
 from survtrack.cli.messages import exit_code, one_line, print_error
 from survtrack.cli.patterns import patterns
@@ -33,6 +34,7 @@ app.command("run")(run)
 app.command("segment")(segment)
 app.command("link")(link)
 app.command("patterns")(patterns)
+app.command("find")(find)
 app.command("replay")(replay)
 app.command("evaluate")(evaluate)
 app.command("evaluate-masks")(evaluate_masks)

@@ -38,6 +38,15 @@ SetOption = Annotated[
         "--set", metavar="A.B=C", help="One option, on top of FILE; repeat it, left to right."
     ),
 ]
+PathOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--path",
+        metavar="FILE",
+        help="Also write path.csv: where tracks are along and across the paths of FILE (JSON). "
+        "filter.model kalman_path follows objects along them.",
+    ),
+]
 ZoneOption = Annotated[
     list[str] | None,
     typer.Option(

@@ -50,15 +50,6 @@ SceneOption = Annotated[
         help="Start from what an earlier run learned of this scene: its scene.json.",
     ),
 ]
-PathOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--path",
-        metavar="FILE",
-        help="Also write path.csv: where tracks are along and across the paths of FILE (JSON). "
-        "filter.model kalman_path follows objects along them.",
-    ),
-]
 MatrixOption = Annotated[
     bool,
     typer.Option(
@@ -89,7 +80,7 @@ def run(
     matrix: MatrixOption = False,
     stream: StreamOption = False,
     scene: SceneOption = None,
-    path_file: PathOption = None,
+    path_file: options.PathOption = None,
     zones: options.ZoneOption = None,
     background: BackgroundOption = None,
     as_json: options.JsonOption = False,
@@ -114,6 +105,11 @@ def run(
         raise UsageError(
             "--views vicinity: shows a grid that this config does not have; choose one of the "
             "narayana2007 presets, or add --set vicinity.model=grid"
+        )
+    if "regions" in names and resolved.regions.model == "none":
+        raise UsageError(
+            "--views regions: shows what is read, and this config reads whole frames; "
+            "add --set regions.model=predicted"
         )
     flow_threshold_px = _flow_threshold_px(resolved, names)
     for output in {VIEW_OUTPUTS[name] for name in names if name in VIEW_OUTPUTS}:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from survtrack.cli import options
 from survtrack.cli.background import BackgroundOption
 from survtrack.cli.job import Request, execute, resolve_config
+from survtrack.path_file import read_paths, require_frame_size
 from survtrack.sinks import MaskFolder, RunFolder, Sink
 from survtrack.sources import ImageSource, Source
 
@@ -25,6 +26,7 @@ def segment(
     step: options.StepOption = 1,
     limit: options.LimitOption = None,
     resize: options.ResizeOption = None,
+    path_file: options.PathOption = None,
     zones: options.ZoneOption = None,
     background: BackgroundOption = None,
     as_json: options.JsonOption = False,
@@ -38,8 +40,8 @@ def segment(
     """
     request = Request(
         "segment", source, preset, config, assignments or [], fps, start, step, limit,
-        options.parse_size(resize), out, as_json, quiet, background=background,
-        zones=zones or [],
+        options.parse_size(resize), out, as_json, quiet,
+        path_file=path_file, background=background, zones=zones or [],
     )  # fmt: skip
 
     def make_sinks(folder: RunFolder, source: Source, pipeline: "Pipeline") -> list[Sink]:
@@ -49,4 +51,10 @@ def segment(
             masks.check_names(source.selection.indices(source.frame_count_declared))
         return [masks]
 
-    return execute(request, resolve_config(request), make_sinks)
+    paths = None if path_file is None else read_paths(path_file)
+
+    def check(source: Source) -> None:
+        if paths is not None and path_file is not None:
+            require_frame_size(paths, source.size, path_file)
+
+    return execute(request, resolve_config(request), make_sinks, check, paths)

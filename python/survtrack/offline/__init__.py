@@ -9,11 +9,14 @@
 from survtrack.offline.linking import link_run
 from survtrack.offline.noise import TunedNoise, tune_noise
 from survtrack.offline.patterns import paths_of, patterns_of_run, read_patterns
+from survtrack.offline.search import FoundTrack, find_tracks
 from survtrack.offline.tracks_table import TracksTable, read_tracks_csv
 
 __all__ = [
+    "FoundTrack",
     "TracksTable",
     "TunedNoise",
+    "find_tracks",
     "link_run",
     "paths_of",
     "patterns_of_run",

@@ -74,7 +74,7 @@ def patterns_of_run(
     if place.resolve() == run_dir.resolve():
         raise UsageError(f"{place}: is the run's own folder; its files would be overwritten")
     run_facts = facts_of_run(run_dir)
-    size = _size_of(run_facts, run_dir / MANIFEST)
+    size = size_of_run(run_facts, run_dir / MANIFEST)
     table = read_tracks_csv(run_dir / TRACKS_CSV)
     history = table.history()
     if known is None:
@@ -82,7 +82,7 @@ def patterns_of_run(
         patterns.frame_size = size
     else:
         patterns = read_patterns(known)
-        _require_same_size(patterns, size, known)
+        require_same_size(patterns, size, known)
         patterns.options = patterns.options if options is None else options
     activities = patterns.classify(history)
     texts = {PATTERNS: patterns.to_json() + "\n", ACTIVITIES: _table(activities, table)}
@@ -144,8 +144,8 @@ def paths_of(patterns: Patterns) -> tuple[_core.Paths, dict[int, str]]:
     return _core.Paths(paths, patterns.frame_size), refused
 
 
-def _size_of(facts: dict[str, Any], manifest: Path) -> tuple[int, int] | None:
-    """(width, height) of the run's frames; None when there were none."""
+def size_of_run(facts: dict[str, Any], manifest: Path) -> tuple[int, int] | None:
+    """(width, height) of the run's frames by its run.json; None when there were none."""
     match facts.get("size"):
         case None:
             return None
@@ -155,7 +155,8 @@ def _size_of(facts: dict[str, Any], manifest: Path) -> tuple[int, int] | None:
             raise InputError(f'{manifest}: "size" is {size!r}; expected [width, height] in px')
 
 
-def _require_same_size(patterns: Patterns, size: tuple[int, int] | None, known: StrPath) -> None:
+def require_same_size(patterns: Patterns, size: tuple[int, int] | None, known: StrPath) -> None:
+    """Raise InputError, beginning with `known`, for patterns of frames of another size."""
     if size is not None and patterns.frame_size not in (None, size):
         learned, seen = ("x".join(map(str, each or ())) for each in (patterns.frame_size, size))
         raise InputError(f"{known}: was learned from frames of {learned}, the run's are {seen}")

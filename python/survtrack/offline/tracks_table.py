@@ -47,6 +47,11 @@ class TracksTable:
     ids: NDArray[np.int64]
     numbers: NDArray[np.float64]
 
+    @property
+    def times_s(self) -> NDArray[np.float64]:
+        """(N,) times of the rows."""
+        return self.numbers[:, NUMBERS.index("time_s")]
+
     def history(self) -> History:
         """The tracks; raises InputError where they contradict themselves."""
         try:

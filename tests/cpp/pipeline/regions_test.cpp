@@ -87,6 +87,7 @@ TEST(Regions, AreReadWholeWhenTheyWouldCostMore) {
   for (const FrameResult& result : run_scene(pipeline, {}, steady_times(10.0, 5))) {
     EXPECT_EQ(result.detections.pixels_read, 160 * 120);
     EXPECT_EQ(count_of(result, RegionKind::whole_frame), 1U);
+    EXPECT_EQ(count_of(result, RegionKind::refresh), 0U);
   }
 }
 
@@ -118,6 +119,9 @@ TEST(Regions, NeedAModelThatReadsThem) {
 
 TEST(Regions, NeedACovariance) {
   Config config = region_config();
+  config.filter = MeanVelocityOptions{};
+  config.cost = DistanceOptions{};
+  EXPECT_EQ(message_of<ConfigError>([&] { config.check(); }).find("regions.model: \"predicted\" needs a filter with a covariance"), 0U);
   config.filter = KalmanDiscreteOptions{.covariances = Covariances::as_published};
   config.cost = DistanceOptions{};
   EXPECT_EQ(message_of<ConfigError>([&] { config.check(); })

@@ -272,6 +272,7 @@ BAD: dict[str, tuple[Any, str]] = {
     "residual shape": (lambda: cv(residual=lambda z, p: [1, 2]).update([1]), "residual: is 2x1"),
     "dt 0": (lambda: survtrack.discrete_white_noise(2, 0), "dt: is 0; expected a time above 0"),
     "dt < 0": (lambda: survtrack.discrete_white_noise(2, -1), "dt: is -1"),
+    "dt huge": (lambda: survtrack.continuous_white_noise(2, 1e7), "dt: is 1e.07; .* at most 1e6"),
     "dt NaN": (lambda: survtrack.continuous_white_noise(2, math.nan), "dt: is nan"),
     "dt inf": (lambda: survtrack.continuous_white_noise(2, math.inf), "dt: is inf"),
     "dim": (lambda: survtrack.discrete_white_noise(1, 1), "dim: is 1; expected 2, 3 or 4"),

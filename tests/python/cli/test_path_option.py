@@ -126,8 +126,8 @@ def test_following_along_paths_needs_some(
     clip: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     message = (
-        'filter.model "kalman_path": follows objects along paths; add --path FILE to '
-        "`survtrack run`, or choose another filter"
+        'filter.model "kalman_path": follows objects along paths; add --path FILE, '
+        "or choose another filter"
     )
     for command in ("run", "segment"):
         assert main([command, str(clip), *FILTER, "--out", str(tmp_path / "out")]) == 2

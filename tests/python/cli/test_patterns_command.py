@@ -6,7 +6,6 @@ import csv
 import json
 import os
 import tomllib
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +16,10 @@ import pytest
 import survtrack
 from clips import walking_square, write_video
 from runs import write_run
-from streets import EAST, JAYWALKER, USUAL, Place, history_of
+from streets import EAST, JAYWALKER, SIZE, USUAL, write_streets
 from survtrack.cli.main import main
 from survtrack.drawing.colors import color_of_id
 from survtrack.offline import read_patterns
-from survtrack.sinks.tracks_csv import COLUMNS
 
 OUTPUTS = [
     "activities.csv",
@@ -31,34 +29,6 @@ OUTPUTS = [
     "patterns.png",
     "run.json",
 ]
-SIZE = (480, 400)
-
-
-def write_streets(
-    folder: Path,
-    ways: Sequence[tuple[Place, Place]],
-    speeds: Sequence[float] = (),
-    **facts: Any,
-) -> Path:
-    """A run whose tracks go these ways."""
-    write_run(folder, walks=(), size=list(SIZE), **facts)
-    rows = []
-    for point in history_of(ways, speeds).array:
-        cells = dict.fromkeys(COLUMNS, "0")
-        cells |= {
-            "frame": str(point["index"] + 1),
-            "time_s": f"{point['time_s']:.6f}",
-            "id": str(point["id"]),
-            "left_px": f"{point['x']:.3f}",
-            "top_px": f"{point['y']:.3f}",
-            "width_px": "20.000",
-            "height_px": "80.000",
-            "x_px": f"{point['position_x']:.3f}",
-            "y_px": f"{point['position_y']:.3f}",
-        }
-        rows.append(",".join(cells.values()))
-    (folder / "tracks.csv").write_text("\n".join([",".join(COLUMNS), *rows]) + "\n")
-    return folder
 
 
 @pytest.fixture

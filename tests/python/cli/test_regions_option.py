@@ -7,7 +7,10 @@ from pathlib import Path
 
 import pytest
 
+import survtrack
 from clips import walking_square, write_video
+from survtrack import Path as ImagePath
+from survtrack import Paths
 from survtrack.cli.main import main
 
 FRAMES = walking_square(60, width=128, height=96, side=20, still=20)
@@ -48,6 +51,34 @@ def test_the_summary_says_what_was_read(
     assert "pixels read" not in capsys.readouterr().out
 
 
+def test_a_preset_that_needs_paths_and_zones_gives_masks_too(clip: Path, tmp_path: Path) -> None:
+    lane = ImagePath([(0, 50), (128, 50)], max_distance_px=40)
+    file = tmp_path / "lane.json"
+    file.write_text(Paths({"lane": lane}, (128, 96)).to_json())
+    needed = ("--preset", "omalley2000", "--path", file, "--zone", "0,20,40,60")
+    assert run("segment", clip, *needed, "--out", tmp_path / "masks") == 0
+    assert len(list((tmp_path / "masks").glob("bin*.png"))) == 60
+    assert run("run", clip, *needed, "--out", tmp_path / "out") == 0
+    found = survtrack.track(
+        clip,
+        "omalley2000",
+        paths=Paths({"lane": lane}, (128, 96)),
+        zones=[survtrack.Box(0, 20, 40, 60)],
+    )
+    results = [result for _, result in found]
+    tracks = {track.id for result in results for track in result.tracks if track.reported}
+    assert len(tracks) == json.loads((tmp_path / "out" / "run.json").read_text())["tracks"]
+
+
+def test_a_background_may_be_given_to_track(clip: Path) -> None:
+    config = survtrack.Config(segmenter=survtrack.StaticReferenceOptions(source="picture"))
+    picture = FRAMES[0].copy()
+    results = [result for _, result in survtrack.track(clip, config=config, background=picture)]
+    assert len(results) == 60 and results[-1].tracks
+    with pytest.raises(survtrack.InputError, match="background"):
+        list(survtrack.track(clip, config=config))
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [
@@ -56,6 +87,7 @@ def test_the_summary_says_what_was_read(
         ((*ZONES, "--zone", "1,2,3,x"), "--zone 1,2,3,x: expected four numbers in px"),
         ((*ZONES, "--zone", "900,2,3,4"), "zones[0]: (900.000000, 2.000000"),
         ((*ZONES, "--zone", "1,2,0,4"), "zones[0]: (1.000000, 2.000000, 0.000000"),
+        (("--video", "--views", "regions"), "--views regions: shows what is read, and this config"),
         (("--zone", "1,2,3,4"), "zones: this config has no use for them"),
         (
             ("--set", "regions.model=predicted", "--set", "segmenter.model=knn"),

@@ -142,6 +142,15 @@ def test_the_identified_noise_is_one_of_accelerations() -> None:
     assert math.sqrt(R[0, 0]) * race.race(1).unit_px == pytest.approx(2.0)
 
 
+def test_the_preset_has_the_identified_noises(made: measured.Made) -> None:
+    options = survtrack.preset("omalley2000_identified").filter
+    assert isinstance(options, survtrack.KalmanPathOptions)
+    values = identified.noises(*made.densities)
+    assert options.process_variances == pytest.approx(np.diag(values.Q), rel=0.02)
+    # In the preset's unit, which is a round one.
+    assert math.sqrt(options.measurement_variances[0]) * options.unit_px == race.SIGMA_PX
+
+
 def test_verdicts_are_those_of_the_numbers(made: measured.Made) -> None:
     assert [claim.holds for claim in claims(made, [])] == [
         *(False, True, True, False, False),

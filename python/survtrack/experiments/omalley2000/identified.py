@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""Q and R identified from data: the densities of white acceleration that make a race likeliest."""
+"""Q identified from data: the densities of white acceleration that make a race likeliest.
+
+R is that of the noise with which the race is measured in the picture.
+"""
 
 from functools import cache
 

@@ -90,7 +90,8 @@ def _regions(made: Made) -> "Figure":
     areas.plot(sigmas, [one.looked.area_px for one in trials], "o-", color=BLUE, label="regions")
     areas.plot(
         sigmas,
-        [one.constant.area_px for one in trials],
+        # Of a rate below one half a box says nothing.
+        [one.constant.area_px if one.looked.hit_rate > 0.5 else np.nan for one in trials],
         "s--",
         color=ORANGE,
         label="constant box, as often a hit",
