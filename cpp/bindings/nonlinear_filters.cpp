@@ -19,15 +19,15 @@ struct PyFilter {
   std::optional<Callback> F, H, residual;
   std::optional<Correction<>> last;
 };
-using PyExtended = PyFilter<ExtendedKalmanFilter>;
-using PyUnscented = PyFilter<UnscentedKalmanFilter>;
+using PyExtended = PyFilter<ExtendedKalmanFilter<>>;
+using PyUnscented = PyFilter<UnscentedKalmanFilter<>>;
 
 /// f(x), or f(x, u) where predict was given one.
 Numbers called(const char* name, const Callback& f, const VectorXd& x, const VectorXd& u) {
   return numbers_returned(name, u.size() == 0 ? f(array_of_vector(x)) : f(array_of_vector(x), array_of_vector(u)));
 }
 
-NonlinearModel model_of(const Callback& f, const Callback& h, const Numbers& Q, const Numbers& R,
+NonlinearModel<> model_of(const Callback& f, const Callback& h, const Numbers& Q, const Numbers& R,
                         const std::optional<Callback>& residual) {
   return {[f](const VectorXd& x, const VectorXd& u) { return vector_of("f", called("f", f, x, u)); },
           [h](const VectorXd& x) { return vector_of("h", called("h", h, x, {})); }, matrix_of("Q", Q), matrix_of("R", R),
@@ -37,18 +37,18 @@ NonlinearModel model_of(const Callback& f, const Callback& h, const Numbers& Q, 
 PyExtended make_extended(const Callback& f, const Callback& h, const Numbers& Q, const Numbers& R, const Numbers& x,
                          const Numbers& P, const std::optional<Callback>& F, const std::optional<Callback>& H,
                          const std::optional<Callback>& residual) {
-  ExtendedKalmanFilter::TransitionJacobian of_f;
-  ExtendedKalmanFilter::MeasureJacobian of_h;
+  ExtendedKalmanFilter<>::TransitionJacobian of_f;
+  ExtendedKalmanFilter<>::MeasureJacobian of_h;
   if (F) of_f = [F](const VectorXd& at, const VectorXd& u) { return matrix_of("F", called("F", *F, at, u)); };
   if (H) of_h = [H](const VectorXd& at) { return matrix_of("H", called("H", *H, at, {})); };
-  return {ExtendedKalmanFilter(model_of(f, h, Q, R, residual), vector_of("x", x), matrix_of("P", P), of_f, of_h),
+  return {ExtendedKalmanFilter<>(model_of(f, h, Q, R, residual), vector_of("x", x), matrix_of("P", P), of_f, of_h),
           f, h, F, H, residual, std::nullopt};
 }
 
 PyUnscented make_unscented(const Callback& f, const Callback& h, const Numbers& Q, const Numbers& R, const Numbers& x,
                            const Numbers& P, double alpha, double beta, double kappa,
                            const std::optional<Callback>& residual) {
-  return {UnscentedKalmanFilter(model_of(f, h, Q, R, residual), vector_of("x", x), matrix_of("P", P), {alpha, beta, kappa}),
+  return {UnscentedKalmanFilter<>(model_of(f, h, Q, R, residual), vector_of("x", x), matrix_of("P", P), {alpha, beta, kappa}),
           f, h, std::nullopt, std::nullopt, residual, std::nullopt};
 }
 

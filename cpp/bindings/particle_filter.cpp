@@ -13,13 +13,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 struct PyParticleFilter {
-  ParticleFilter filter;
+  ParticleFilter<> filter;
   Callback f, log_likelihood;
 };
 
 PyParticleFilter make_filter(const Callback& f, const Callback& log_likelihood, const Numbers& Q, const Numbers& x,
                              const Numbers& P, int count, double resample_below, std::uint64_t seed) {
-  ParticleFilter::Model model;
+  ParticleFilter<>::Model model;
   model.f = [f](const MatrixXd& particles, const VectorXd& u) {
     const py::array_t<double> rows = array_of_columns(particles);
     return columns_of("f", numbers_returned("f", u.size() == 0 ? f(rows) : f(rows, array_of_vector(u))));
@@ -29,7 +29,7 @@ PyParticleFilter make_filter(const Callback& f, const Callback& log_likelihood, 
     return vector_of("log_likelihood", numbers_returned("log_likelihood", returned));
   };
   model.Q = matrix_of("Q", Q);
-  return {ParticleFilter(model, vector_of("x", x), matrix_of("P", P), {count, resample_below, seed}), f, log_likelihood};
+  return {ParticleFilter<>(model, vector_of("x", x), matrix_of("P", P), {count, resample_below, seed}), f, log_likelihood};
 }
 
 py::tuple tuple_of_random(const Random::State& s) {
@@ -43,7 +43,7 @@ Random::State random_of(const py::tuple& t) {
 }
 
 StateDict get_state(const PyParticleFilter& self) {
-  const ParticleFilter& filter = self.filter;
+  const ParticleFilter<>& filter = self.filter;
   StateDict state;
   state["f"] = self.f;
   state["log_likelihood"] = self.log_likelihood;

@@ -5,38 +5,8 @@
 
 #include <cmath>
 
-#include "survtrack/core/errors.hpp"
 
 namespace survtrack {
-
-Eigen::VectorXd NonlinearModel::moved(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const {
-  Eigen::VectorXd next = f(x, u);
-  check_matrix("f", next, Q.rows(), 1);
-  return next;
-}
-
-Eigen::VectorXd NonlinearModel::measured(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd z = h(x);
-  check_matrix("h", z, R.rows(), 1);
-  return z;
-}
-
-Eigen::VectorXd NonlinearModel::difference(const Eigen::VectorXd& z, const Eigen::VectorXd& predicted) const {
-  check_matrix("z", z, R.rows(), 1);
-  if (!residual) return z - predicted;
-  Eigen::VectorXd y = residual(z, predicted);
-  check_matrix("residual", y, R.rows(), 1);
-  return y;
-}
-
-void NonlinearModel::check(const Eigen::VectorXd& x, const Eigen::MatrixXd& P) const {
-  if (!f) throw InputError("f: is missing; expected the function that moves a state");
-  if (!h) throw InputError("h: is missing; expected the function that measures a state");
-  check_matrix("x", x, x.size(), 1);
-  check_covariance("Q", Q, x.size());
-  check_covariance("R", R, R.rows());
-  check_covariance("P", P, x.size());
-}
 
 Eigen::MatrixXd numeric_jacobian(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& function,
                                  const Eigen::VectorXd& x, const Residual& difference) {

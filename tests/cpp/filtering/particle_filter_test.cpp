@@ -68,7 +68,7 @@ TEST(ParticleFilter, SystematicResamplingDrawsEachItsShare) {
   EXPECT_THROW(systematic_resample(weights, 1.0), InputError);
 }
 
-ParticleFilter::Model walk() {
+ParticleFilter<>::Model walk() {
   return {[](const MatrixXd& particles, const VectorXd& u) { return MatrixXd(particles.array() + (u.size() ? u(0) : 0.0)); },
           [](const VectorXd& z, const MatrixXd& particles) {
             return VectorXd(-0.5 * (z(0) - particles.row(0).transpose().array()).square());
@@ -77,7 +77,7 @@ ParticleFilter::Model walk() {
 }
 
 TEST(ParticleFilter, ComesNearTheKalmanFilterOfALinearModel) {
-  ParticleFilter particles(walk(), One(0.0), One(4.0), {20000, 0.5, 7});
+  ParticleFilter<> particles(walk(), One(0.0), One(4.0), {20000, 0.5, 7});
   KalmanFilter<1, 1> exact({One(1.0), One(1.0), One(0.5), One(1.0), One(1.0), {}}, One(0.0), One(4.0));
   double sum = 0.0, exact_sum = 0.0;
   for (int k = 1; k <= 30; ++k) {
@@ -99,7 +99,7 @@ TEST(ParticleFilter, ComesNearTheKalmanFilterOfALinearModel) {
 
 TEST(ParticleFilter, TheSeedDecides) {
   const auto end = [](std::uint64_t seed) {
-    ParticleFilter filter(walk(), One(0.0), One(4.0), {100, 0.5, seed});
+    ParticleFilter<> filter(walk(), One(0.0), One(4.0), {100, 0.5, seed});
     filter.predict();
     filter.update(One(1.0));
     filter.predict();
@@ -110,19 +110,19 @@ TEST(ParticleFilter, TheSeedDecides) {
 }
 
 TEST(ParticleFilter, SaysWhatIsWrongAndStaysAsItWas) {
-  ParticleFilter::Model model = walk();
+  ParticleFilter<>::Model model = walk();
   double likelihood = -std::numeric_limits<double>::infinity();
   model.log_likelihood = [&](const VectorXd&, const MatrixXd&) { return VectorXd::Constant(50, likelihood).eval(); };
-  ParticleFilter filter(model, One(0.0), One(1.0), {50, 0.5, 1});
+  ParticleFilter<> filter(model, One(0.0), One(1.0), {50, 0.5, 1});
   const VectorXd weights = filter.weights();
   EXPECT_TRUE(contains(message_of<InputError>([&] { filter.update(One(0.0)); }), "impossible for every particle"));
   likelihood = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(contains(message_of<InputError>([&] { filter.update(One(0.0)); }), "log_likelihood[0]: is nan"));
   EXPECT_TRUE(contains(message_of<InputError>([&] { filter.update(One(likelihood)); }), "z[0]: is nan"));
   EXPECT_EQ(filter.weights(), weights);
-  EXPECT_THROW(ParticleFilter(walk(), One(0.0), One(-1.0), {}), InputError);
-  EXPECT_THROW(ParticleFilter(walk(), One(0.0), One(1.0), {0, 0.5, 1}), InputError);
-  EXPECT_THROW(ParticleFilter(walk(), One(0.0), One(1.0), {10, 1.5, 1}), InputError);
+  EXPECT_THROW(ParticleFilter<>(walk(), One(0.0), One(-1.0), {}), InputError);
+  EXPECT_THROW(ParticleFilter<>(walk(), One(0.0), One(1.0), {0, 0.5, 1}), InputError);
+  EXPECT_THROW(ParticleFilter<>(walk(), One(0.0), One(1.0), {10, 1.5, 1}), InputError);
 }
 
 TEST(RtsSmoother, IsTheLeastSquaresSolutionOfTheWholeRun) {
@@ -161,6 +161,29 @@ TEST(RtsSmoother, IsTheLeastSquaresSolutionOfTheWholeRun) {
   EXPECT_TRUE(contains(message_of<InputError>([&] { rts_smooth(run); }), "Q: has 2 steps; expected 12"));
   run.Q = {One(-0.5)};
   EXPECT_TRUE(contains(message_of<InputError>([&] { rts_smooth(run); }), "Q[0]: ", "is -0.5"));
+}
+
+TEST(ParticleFilter, OfFixedSizeIsTheDynamicOne) {
+  using Fixed = ParticleFilter<2>;
+  const Eigen::Matrix2d Q = Eigen::Vector2d(0.3, 0.1).asDiagonal();
+  const auto near = [](const Eigen::VectorXd& z, const Eigen::MatrixXd& particles) {
+    return Eigen::VectorXd(-0.5 * (particles.row(0).array() - z(0)).square().transpose());
+  };
+  Fixed fixed({[](const Fixed::Particles& p, const Eigen::VectorXd&) { return Fixed::Particles(0.9 * p); },
+               [&](const Eigen::VectorXd& z, const Fixed::Particles& p) { return near(z, p); }, Q},
+              Eigen::Vector2d(1.0, 2.0), Eigen::Matrix2d::Identity(), {200, 0.5, 3});
+  ParticleFilter<> dynamic({[](const Eigen::MatrixXd& p, const Eigen::VectorXd&) { return Eigen::MatrixXd(0.9 * p); }, near, Q},
+                           Eigen::Vector2d(1.0, 2.0), Eigen::Matrix2d::Identity(), {200, 0.5, 3});
+  for (int k = 0; k < 30; ++k) {
+    fixed.predict();
+    dynamic.predict();
+    fixed.update(Eigen::VectorXd::Constant(1, 0.1 * k));
+    dynamic.update(Eigen::VectorXd::Constant(1, 0.1 * k));
+    EXPECT_LT((fixed.x() - dynamic.x()).norm(), 1e-9) << k;
+    EXPECT_LT((fixed.P() - dynamic.P()).norm(), 1e-9) << k;
+  }
+  EXPECT_GT(fixed.resamplings(), 3);
+  EXPECT_EQ(fixed.resamplings(), dynamic.resamplings());
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(TurnMotion, TwoHalfStepsTurnAsOneDoes) {
 }
 
 /// The same motion for the general filters, of matched tracks.
-NonlinearModel general_model(double dt) {
+NonlinearModel<> general_model(double dt) {
   const TurnMotion motion(in_px_noise(), dt, false);
   return {[motion](const VectorXd& x, const VectorXd&) { return VectorXd(motion.moved(x)); },
           [](const VectorXd& x) { return VectorXd(x.head(2)); }, motion.noise(1.0), 4.0 * MatrixXd::Identity(2, 2), {}};
@@ -139,12 +139,12 @@ TEST(TurnBanks, AreTheGeneralFilters) {
     return MatrixXd(TurnMotion(in_px_noise(), 0.5, false).jacobian(TurnMotion::State(x)));
   };
   const auto h = [](const VectorXd&) { return MatrixXd(MatrixXd::Identity(2, 5)); };
-  expect_like_the_general_one<ExtendedKalmanFilter>(in_px(), ExtendedKalmanFilter::TransitionJacobian(f),
-                                                    ExtendedKalmanFilter::MeasureJacobian(h));
+  expect_like_the_general_one<ExtendedKalmanFilter<>>(in_px(), ExtendedKalmanFilter<>::TransitionJacobian(f),
+                                                    ExtendedKalmanFilter<>::MeasureJacobian(h));
   for (const double alpha : {1.0, 0.5, 0.1}) {
     auto options = same_as<UnscentedOptions>(in_px());
     options.alpha = alpha;
-    expect_like_the_general_one<UnscentedKalmanFilter>(options, SigmaPoints{alpha, 2.0, 0.0});
+    expect_like_the_general_one<UnscentedKalmanFilter<>>(options, SigmaPoints{alpha, 2.0, 0.0});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <utility>
 
 #include "survtrack/filtering/nonlinear_model.hpp"
 
@@ -12,42 +13,77 @@ namespace survtrack {
 
 /// The extended Kalman filter: a non-linear model, linearised where the estimate is. Equations: Bar-Shalom, Li and
 /// Kirubarajan 2001, 10.3.
+/// `ExtendedKalmanFilter<4, 2>` has 4 states and 2 measured numbers; `ExtendedKalmanFilter<>` takes its sizes from the model.
+template <int N = Eigen::Dynamic, int M = Eigen::Dynamic>
 class ExtendedKalmanFilter {
  public:
+  using Model = NonlinearModel<N, M>;
+  using State = typename Model::State;
+  using StateMatrix = typename Model::StateMatrix;
+  using Measurement = typename Model::Measurement;
+  using MeasurementMatrix = typename Model::MeasurementMatrix;
+  using MeasurementCovariance = typename Model::MeasurementCovariance;
   /// Derivatives of f by x (n x n) and of h by x (m x n).
-  using TransitionJacobian = std::function<Eigen::MatrixXd(const Eigen::VectorXd& x, const Eigen::VectorXd& u)>;
-  using MeasureJacobian = std::function<Eigen::MatrixXd(const Eigen::VectorXd& x)>;
+  using TransitionJacobian = std::function<StateMatrix(const State& x, const Eigen::VectorXd& u)>;
+  using MeasureJacobian = std::function<MeasurementMatrix(const State& x)>;
 
   /// Starts at state x with covariance P. A Jacobian that is empty is taken by central differences. Throws `InputError`
   /// naming what is wrong; a callable's exceptions pass through, and leave the filter as it was.
-  ExtendedKalmanFilter(NonlinearModel model, const Eigen::VectorXd& x, const Eigen::MatrixXd& P,
-                       TransitionJacobian F = {}, MeasureJacobian H = {});
+  ExtendedKalmanFilter(Model model, const State& x, const StateMatrix& P, TransitionJacobian F = {}, MeasureJacobian H = {})
+      : model_(std::move(model)), F_(std::move(F)), H_(std::move(H)), x_(x), P_(P) {
+    model_.check(x, P);
+    const Eigen::Index n = x.size(), m = model_.R.rows();
+    last_ = {Measurement::Zero(m), MeasurementCovariance::Zero(m, m), Eigen::Matrix<double, N, M>::Zero(n, m), 0.0};
+  }
 
   /// x = f(x, u), P = F P F' + Q with F the derivative at the estimate before.
-  void predict(const Eigen::VectorXd& u = {});
+  void predict(const Eigen::VectorXd& u = {}) {
+    // The derivative at the estimate before, not at the predicted one.
+    const StateMatrix F = F_ ? F_(x_, u) : StateMatrix(numeric_jacobian([&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return model_.moved(x, u); }, x_));
+    check_matrix("F", F, x_.size(), x_.size());
+    const State x = model_.moved(x_, u);
+    const StateMatrix P = F * P_ * F.transpose() + model_.Q;
+    check_still_finite("predict", x, P);
+    x_ = x;
+    P_ = 0.5 * (P + P.transpose());
+  }
   /// Corrects with H, the derivative of h at the predicted state. Throws as `KalmanFilter::update` does.
-  void update(const Eigen::VectorXd& z);
+  void update(const Measurement& z) {
+    const Measurement y = model_.difference(z, model_.measured(x_));
+    const MeasurementMatrix H = measure_jacobian();
+    last_ = correct_linear<N, M>(x_, P_, y, H, model_.R, Covariances::checked);
+  }
 
-  const Correction<>& last() const { return last_; }  ///< of the last update; zero before the first
-  double squared_mahalanobis(const Eigen::VectorXd& z) const;  ///< y' S^-1 y of a measurement, as things stand now
+  const Correction<N, M>& last() const { return last_; }  ///< of the last update; zero before the first
+  /// y' S^-1 y of a measurement, as things stand now.
+  double squared_mahalanobis(const Measurement& z) const {
+    const Measurement y = model_.difference(z, model_.measured(x_));
+    const MeasurementMatrix H = measure_jacobian();
+    return Ldl<M>(H * P_ * H.transpose() + model_.R, Covariances::checked).squared_distance(y);
+  }
 
-  const Eigen::VectorXd& x() const { return x_; }
-  const Eigen::MatrixXd& P() const { return P_; }
-  const NonlinearModel& model() const { return model_; }
-  void set_x(const Eigen::VectorXd& x);
-  void set_P(const Eigen::MatrixXd& P);
-  void set_Q(const Eigen::MatrixXd& Q);
-  void set_R(const Eigen::MatrixXd& R);
+  const State& x() const { return x_; }
+  const StateMatrix& P() const { return P_; }
+  const Model& model() const { return model_; }
+  void set_x(const State& x) { check_matrix("x", x, x_.size(), 1), x_ = x; }
+  void set_P(const StateMatrix& P) { check_covariance("P", P, x_.size()), P_ = 0.5 * (P + P.transpose()); }
+  void set_Q(const StateMatrix& Q) { check_covariance("Q", Q, x_.size()), model_.Q = Q; }
+  void set_R(const MeasurementCovariance& R) { check_covariance("R", R, model_.R.rows()), model_.R = R; }
 
  private:
-  Eigen::MatrixXd measure_jacobian() const;
+  MeasurementMatrix measure_jacobian() const {
+    const MeasurementMatrix H =
+        H_ ? H_(x_) : MeasurementMatrix(numeric_jacobian([&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return model_.measured(x); }, x_, model_.residual));
+    check_matrix("H", H, model_.R.rows(), x_.size());
+    return H;
+  }
 
-  NonlinearModel model_;
+  Model model_;
   TransitionJacobian F_;
   MeasureJacobian H_;
-  Eigen::VectorXd x_;
-  Eigen::MatrixXd P_;
-  Correction<> last_;
+  State x_;
+  StateMatrix P_;
+  Correction<N, M> last_;
 };
 
 }  // namespace survtrack

@@ -6,26 +6,56 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "survtrack/core/errors.hpp"
 #include "survtrack/filtering/correction.hpp"
 
 namespace survtrack {
 
-/// x = f(x, u) + noise of covariance Q, z = h(x) + noise of covariance R.
+/// x = f(x, u) + noise of covariance Q, z = h(x) + noise of covariance R. `NonlinearModel<4, 2>` has 4 states and 2
+/// measured numbers; `NonlinearModel<>` takes its sizes from the matrices.
+template <int N = Eigen::Dynamic, int M = Eigen::Dynamic>
 struct NonlinearModel {
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& u)> f;
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& x)> h;
-  Eigen::MatrixXd Q;      ///< n x n
-  Eigen::MatrixXd R;      ///< m x m
-  Residual residual = {};  ///< of measurements that wrap; empty: z - predicted
+  using State = Eigen::Matrix<double, N, 1>;
+  using StateMatrix = Eigen::Matrix<double, N, N>;
+  using Measurement = Eigen::Matrix<double, M, 1>;
+  using MeasurementMatrix = Eigen::Matrix<double, M, N>;
+  using MeasurementCovariance = Eigen::Matrix<double, M, M>;
+
+  std::function<State(const State& x, const Eigen::VectorXd& u)> f;
+  std::function<Measurement(const State& x)> h;
+  StateMatrix Q;            ///< n x n
+  MeasurementCovariance R;  ///< m x m
+  Residual residual = {};   ///< of measurements that wrap; empty: z - predicted
 
   /// f and h, refused by `InputError` where they return another size or a number that is not finite.
-  Eigen::VectorXd moved(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const;
-  Eigen::VectorXd measured(const Eigen::VectorXd& x) const;
+  State moved(const State& x, const Eigen::VectorXd& u) const {
+    State next = f(x, u);
+    check_matrix("f", next, Q.rows(), 1);
+    return next;
+  }
+  Measurement measured(const State& x) const {
+    Measurement z = h(x);
+    check_matrix("h", z, R.rows(), 1);
+    return z;
+  }
   /// The residual of a measurement, refused likewise.
-  Eigen::VectorXd difference(const Eigen::VectorXd& z, const Eigen::VectorXd& predicted) const;
+  Measurement difference(const Measurement& z, const Measurement& predicted) const {
+    check_matrix("z", z, R.rows(), 1);
+    if (!residual) return z - predicted;
+    const Eigen::VectorXd y = residual(z, predicted);
+    check_matrix("residual", y, R.rows(), 1);
+    return y;
+  }
 
   /// Refuses a missing callable, and what does not fit a state x of covariance P.
-  void check(const Eigen::VectorXd& x, const Eigen::MatrixXd& P) const;
+  void check(const State& x, const StateMatrix& P) const {
+    if (!f) throw InputError("f: is missing; expected the function that moves a state");
+    if (!h) throw InputError("h: is missing; expected the function that measures a state");
+    check_matrix("x", x, x.size(), 1);
+    check_covariance("Q", Q, x.size());
+    check_covariance("R", R, R.rows());
+    check_covariance("P", P, x.size());
+  }
 };
 
 /// The derivative of `function` at x by central differences: column j is (f(x + d_j) - f(x - d_j)) / 2 d_j with d_j the
