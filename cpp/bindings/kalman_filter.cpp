@@ -133,9 +133,9 @@ std::vector<Eigen::VectorXd> vectors_of(const char* name, const Numbers& array) 
 
 py::typing::Tuple<py::array_t<double>, py::array_t<double>> smooth(const Numbers& x, const Numbers& P, const Numbers& F,
                                                                   const Numbers& Q, const std::optional<Numbers>& Bu) {
-  FilteredRun run{vectors_of("x", x), matrices_of("P", P), matrices_of("F", F), matrices_of("Q", Q), {}};
+  FilteredRun<> run{vectors_of("x", x), matrices_of("P", P), matrices_of("F", F), matrices_of("Q", Q), {}};
   if (Bu) run.Bu = Bu->ndim() == 1 ? std::vector<Eigen::VectorXd>{vector_of("Bu", *Bu)} : vectors_of("Bu", *Bu);
-  const SmoothedRun smoothed = rts_smooth(run);
+  const SmoothedRun<> smoothed = rts_smooth(run);
   const auto steps = static_cast<py::ssize_t>(smoothed.x.size()), n = x.shape(1);
   py::array_t<double> states({steps, n}), covariances({steps, n, n});
   for (py::ssize_t k = 0; k < steps; ++k) {

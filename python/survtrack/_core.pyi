@@ -4059,7 +4059,7 @@ class PredictedRegionsOptions:
         acquisition: where newcomers are looked for; one of "border" "zones" "strip"
         border: width of the band along the border, with acquisition border [frame heights]; above 0 and at most 1
         refresh_frames: a strip a frame is read in turn, so that each place is seen once in so many; 0: none is [frames]; between 0 and 100000
-        whole_above: a frame of which more than this part would be read is read whole; between 0 and 1
+        whole_above: a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel each, and 64 more for every piece of a row; between 0 and 100
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -4080,7 +4080,7 @@ class PredictedRegionsOptions:
         acquisition: str = "border",
         border: float = 0.05,
         refresh_frames: int = 20,
-        whole_above: float = 0.7,
+        whole_above: float = 0.9,
     ) -> None:
         """
         Raises ConfigError naming the option and what is allowed.
@@ -4154,7 +4154,7 @@ class PredictedRegionsOptions:
     @property
     def whole_above(self) -> float:
         """
-        a frame of which more than this part would be read is read whole
+        a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel each, and 64 more for every piece of a row
         """
     @whole_above.setter
     def whole_above(self, value: typing.Never) -> None: ...

@@ -41,6 +41,13 @@
 
 namespace survtrack::simd {
 
+/// Asks for the cache line that holds this address.
+inline void prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address);
+#endif
+}
+
 /// Instruction sets, each including the ones before; baseline is what the compiler may always use.
 enum class Level { baseline, avx2, avx512 };
 

@@ -16,13 +16,13 @@ namespace {
 /// Of the strip that is read in turn, a larger part than this is foreground when the light or the camera changed.
 constexpr double flood = 0.6;
 
-void check_regions(const std::vector<Region>& regions, const cv::Size& size, bool readable) {
+void check_regions(const char* name, const std::vector<Region>& regions, const cv::Size& size, bool readable) {
   if (regions.empty()) return;
-  if (!readable) throw InputError("expectation.regions: this background model reads whole frames; expected none");
+  if (!readable) throw InputError(std::string(name) + ": this background model reads whole frames; expected none");
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const Box& box = regions[i].box;
     if (!pixel_rect(box, size).empty()) continue;
-    throw InputError("expectation.regions[" + std::to_string(i) + "]: (" + std::to_string(box.x) + ", " + std::to_string(box.y) +
+    throw InputError(std::string(name) + "[" + std::to_string(i) + "]: (" + std::to_string(box.x) + ", " + std::to_string(box.y) +
                      ", " + std::to_string(box.width) + ", " + std::to_string(box.height) + ") lies outside of the frame of " +
                      std::to_string(size.width) + "x" + std::to_string(size.height) + " px; expected one that meets it");
   }
@@ -85,7 +85,7 @@ const TimedFrame& Detector::next() const {
 }
 
 void Detector::detect(const Expectation& expectation, Detections& detections) {
-  check_regions(expectation.regions, next().image.size(), segmenter_->reads_regions());
+  check_regions("expectation.regions", expectation.regions, next().image.size(), segmenter_->reads_regions());
   if (expectation.time_s != next().time_s) {
     throw InputError("expectation.time_s: " + std::to_string(expectation.time_s) + " is not the time of the frame that is due, " +
                      std::to_string(next().time_s));
@@ -149,8 +149,10 @@ void Detector::plan(const cv::Size& size, double time_s, const Expectation& expe
     if (regions_ && regions_->refresh_frames > 0) add_strip(size, time_s, regions);
     plan_.finish();
   }
-  const double most = (regions_ ? regions_->whole_above : 1.0) * size.area();
-  if (!whole && static_cast<double>(plan_.pixels()) <= most) return;
+  // Regions of the caller's own are read as they are asked for.
+  const bool dear = regions_ && static_cast<double>(plan_.cost_px()) >
+                                    regions_->whole_above * static_cast<double>(ReadPlan::whole_cost_px(size));
+  if (!whole && !dear && !plan_.whole()) return;
   plan_.read_whole(size);
   if (!strip_rows_.empty()) regions.pop_back();  // the strip is no more
   strip_rows_ = {};
@@ -207,12 +209,15 @@ void Detector::push_waiting() {
 
 std::optional<Detections> Detector::process(const cv::Mat& image, double time_s, std::optional<std::int64_t> index,
                                             const std::vector<Box>& keep, const std::vector<Box>& regions) {
-  if (!push(image, time_s, index)) return std::nullopt;
   Expectation expectation;
-  expectation.time_s = next().time_s;
   expectation.keep = keep;
   expectation.only_regions = !regions.empty();
   for (const Box& box : regions) expectation.regions.push_back({box, RegionKind::predicted, 0});
+  // Before the frame is taken, so that it can be given again.
+  check_image(image);
+  check_regions("regions", expectation.regions, image.size(), segmenter_->reads_regions());
+  if (!push(image, time_s, index)) return std::nullopt;
+  expectation.time_s = next().time_s;
   Detections detections;
   detect(expectation, detections);
   return detections;

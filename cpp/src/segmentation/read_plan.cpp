@@ -16,6 +16,7 @@ void ReadPlan::clear(const cv::Size& size) {
   bands_.clear();
   spans_.clear();
   pixels_ = 0;
+  pieces_ = 0;
 }
 
 void ReadPlan::read_whole(const cv::Size& size) {
@@ -23,6 +24,8 @@ void ReadPlan::read_whole(const cv::Size& size) {
   add({0, 0, size.width, size.height});
   finish();
 }
+
+std::int64_t ReadPlan::whole_cost_px(const cv::Size& size) { return (size.width + piece_cost_px) * size.height; }
 
 void ReadPlan::add(const cv::Rect& rect) {
   const cv::Rect inside = rect & cv::Rect(0, 0, size_.width, size_.height);
@@ -79,6 +82,7 @@ void ReadPlan::add_band(int top, int bottom) {
   if (spans_.size() == first) return;
   bands_.push_back({top, bottom, first, spans_.size()});
   pixels_ += static_cast<std::int64_t>(count) * (bottom - top);
+  pieces_ += static_cast<std::int64_t>(spans_.size() - first) * (bottom - top);
 }
 
 }  // namespace survtrack

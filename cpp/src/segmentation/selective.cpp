@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "core/simd.hpp"
 #include "segmentation/pixel_rect.hpp"
 #include "segmentation/selective_kernels.hpp"
 #include "survtrack/core/checks.hpp"
@@ -107,10 +108,11 @@ class SelectiveSegmenter final : public Segmenter {
     channels_ = channels;
     const auto area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     const auto planes = static_cast<std::size_t>(channels);
-    levels_.resize(area * (planes + 1));
-    candidates_.resize(area * planes);
-    ages_ms_.resize(area);
-    colors_.resize(channels == 3 ? planes * static_cast<std::size_t>(size.width) : 0);
+    // A block more, of which nothing is used: see SelectiveRow.
+    levels_.resize(area * (planes + 1) + kernels::selective_block);
+    candidates_.resize(area * planes + kernels::selective_block);
+    ages_ms_.resize(area + kernels::selective_block);
+    colors_.resize(planes * color_stride());
   }
 
   template <int channels>
@@ -129,9 +131,11 @@ class SelectiveSegmenter final : public Segmenter {
     std::size_t differing = 0;
     for (const ReadPlan::Band& band : plan.bands()) {
       for (int y = band.top; y < band.bottom; ++y) {
+        find_kept_columns(y);
         for (std::size_t i = band.first_span; i < band.last_span; ++i) {
           const ReadPlan::Span& span = plan.spans()[i];
-          differing += step_span(row<channels>(frame, mask, y, span.begin, span.end), span, y, span.refresh ? refresh : now);
+          if (!plan.whole() && y + ahead < band.bottom) fetch(frame, mask, y + ahead, span, channels);
+          differing += step_span(row<channels>(frame, mask, y, span.begin, span.end), span, span.refresh ? refresh : now);
         }
       }
     }
@@ -140,16 +144,33 @@ class SelectiveSegmenter final : public Segmenter {
 
   /// One row's pixels of a span, which know whether they may be learned.
   template <int channels>
-  std::size_t step_span(const SelectiveRow<channels>& whole, const ReadPlan::Span& span, int y, SelectiveStep step) const {
+  std::size_t step_span(const SelectiveRow<channels>& whole, const ReadPlan::Span& span, SelectiveStep step) const {
     std::size_t differing = 0;
     for (int x = span.begin; x < span.end;) {
-      const Stretch stretch = stretch_at(x, y);
+      const Stretch stretch = stretch_at(x);
       const int end = std::min(stretch.end, span.end);
       step.learn = !stretch.kept;
       differing += kernels::selective_step(whole.part(static_cast<std::size_t>(x), static_cast<std::size_t>(end - x)), step);
       x = end;
     }
     return differing;
+  }
+
+  static constexpr int ahead = 2;  ///< rows
+
+  /// Asks for the memory of a span's beginning before its turn comes: each row's arrays lie far from the last row's, and the
+  /// processor foresees only what follows within a row.
+  void fetch(const cv::Mat& frame, const cv::Mat& mask, int y, const ReadPlan::Span& span, int channels) const {
+    constexpr std::ptrdiff_t line = 64, most = 2 * line;
+    const std::ptrdiff_t begin = span.begin, count = std::min<std::ptrdiff_t>(span.end - span.begin, most);
+    const auto ask = [](const void* from, std::ptrdiff_t bytes) {
+      const auto* const first = static_cast<const char*>(from);
+      for (std::ptrdiff_t at = 0; at < bytes + line; at += line) simd::prefetch(first + std::min(at, bytes - 1));
+    };
+    ask(frame.ptr<std::uint8_t>(y) + channels * begin, channels * count);
+    ask(mask.ptr<std::uint8_t>(y) + begin, count);
+    const std::int16_t* const levels = levels_.data() + offset(y, channels + 1) + begin;
+    for (int c = 0; c <= channels; ++c) ask(levels + std::ptrdiff_t{c} * size_.width, 2 * count);
   }
 
   /// The constants of the frame at `time_s`, which is later than the one before.
@@ -193,22 +214,32 @@ class SelectiveSegmenter final : public Segmenter {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(arrays) * static_cast<std::size_t>(size_.width);
   }
 
+  std::size_t color_stride() const { return static_cast<std::size_t>(size_.width) + kernels::selective_block; }
+
   /// Row y of the frame, the colours from `begin` up to `end` taken apart into `colors_`, and what is known of it.
   template <int channels>
   SelectiveRow<channels> row(const cv::Mat& frame, cv::Mat& mask, int y, int begin, int end) {
+    constexpr int block = kernels::selective_block;
     const int width = size_.width;
-    const auto* pixels = frame.ptr<std::uint8_t>(y);
+    const auto* const pixels = frame.ptr<std::uint8_t>(y);
+    SelectiveRow<channels> row;
+    // Whole blocks, moved to the left where the frame ends.
+    const int length = std::min((end - begin + block - 1) / block * block, width);
+    const auto first = static_cast<std::size_t>(std::min(begin, width - length));
+    const auto count = static_cast<std::size_t>(length);
     if constexpr (channels == 3) {
-      std::uint8_t* const colors = colors_.data() + begin;
-      kernels::split_colors(pixels + 3 * std::ptrdiff_t{begin}, colors, colors + width, colors + 2 * width,
-                            static_cast<std::size_t>(end - begin));
-      pixels = colors_.data();
+      for (int c = 0; c < channels; ++c) row.frame[c] = colors_.data() + static_cast<std::size_t>(c) * color_stride();
+      std::uint8_t* const blue = colors_.data() + first;
+      kernels::split_colors(pixels + 3 * first, blue, blue + color_stride(), blue + 2 * color_stride(), count);
+    } else if (end + block <= width) {
+      row.frame[0] = pixels;
+    } else {
+      std::copy_n(pixels + first, count, colors_.data() + first);
+      row.frame[0] = colors_.data();
     }
     std::int16_t* const levels = levels_.data() + offset(y, channels + 1);
     std::uint8_t* const candidate = candidates_.data() + offset(y, channels);
-    SelectiveRow<channels> row;
     for (int c = 0; c < channels; ++c) {
-      row.frame[c] = pixels + c * width;
       row.background[c] = levels + c * width;
       row.candidate[c] = candidate + c * width;
     }
@@ -227,21 +258,28 @@ class SelectiveSegmenter final : public Segmenter {
     }
   }
 
+  void find_kept_columns(int y) {
+    kept_columns_.clear();
+    for (const cv::Rect& rect : kept_) {
+      if (y >= rect.y && y < rect.y + rect.height) kept_columns_.emplace_back(rect.x, rect.x + rect.width);
+    }
+  }
+
   /// Pixels of one row up to `end` that are all learned or all kept.
   struct Stretch {
     int end;
     bool kept;
   };
 
-  Stretch stretch_at(int x, int y) const {
+  /// The one that begins at x in the row of `kept_columns_`.
+  Stretch stretch_at(int x) const {
     Stretch stretch{size_.width, false};
-    for (const cv::Rect& rect : kept_) {
-      const int right = rect.x + rect.width;
-      if (y < rect.y || y >= rect.y + rect.height || x >= right) continue;
-      if (x < rect.x) {
-        if (!stretch.kept) stretch.end = std::min(stretch.end, rect.x);
+    for (const cv::Range& kept : kept_columns_) {
+      if (x >= kept.end) continue;
+      if (x < kept.start) {
+        if (!stretch.kept) stretch.end = std::min(stretch.end, kept.start);
       } else {
-        stretch = {stretch.kept ? std::max(stretch.end, right) : right, true};
+        stretch = {stretch.kept ? std::max(stretch.end, kept.end) : kept.end, true};
       }
     }
     return stretch;
@@ -258,6 +296,7 @@ class SelectiveSegmenter final : public Segmenter {
   std::vector<std::uint16_t> ages_ms_;
   std::vector<std::uint8_t> colors_;      ///< one row of the frame: blue, green, red
   std::vector<cv::Rect> kept_;
+  std::vector<cv::Range> kept_columns_;   ///< of one row
   ReadPlan whole_;
 };
 

@@ -13,7 +13,7 @@ namespace survtrack::kernels {
 namespace {
 
 // Pixels that take the foreground's way together when one of them is foreground.
-constexpr std::size_t block = 32;
+constexpr std::size_t block = selective_block;
 
 // All arithmetic stays in 16 bits, cast by cast: so the loops work on twice as many pixels at once.
 SURVTRACK_SIMD_INLINE std::int16_t distance(std::int16_t a, std::int16_t b) {
@@ -129,30 +129,27 @@ SURVTRACK_SIMD_INLINE void remove_shadows(const SelectiveRow<3>& row, const Sele
   }
 }
 
-/// Foreground pixels among `count` <= `block`.
-SURVTRACK_SIMD_INLINE std::size_t foreground_in(const std::uint8_t* mask, std::size_t count) {
-  std::uint64_t words[block / 8] = {};
-  std::memcpy(words, mask, count);
+/// Foreground pixels of a block.
+SURVTRACK_SIMD_INLINE std::size_t foreground_in(const std::uint8_t* mask) {
+  std::uint64_t words[block / 8];
+  std::memcpy(words, mask, block);
   if ((words[0] | words[1] | words[2] | words[3]) == 0) return 0;
   std::size_t bits = 0;
   for (const std::uint64_t word : words) bits += static_cast<std::size_t>(std::popcount(word));
   return bits / 8;
 }
 
-/// Candidates and shadows, for a block that holds foreground. Returns how much.
+/// Candidates and shadows of a block that holds foreground.
 template <int channels>
-SURVTRACK_SIMD_INLINE std::size_t treat_foreground(const SelectiveRow<channels>& row, const SelectiveStep& step) {
-  const std::size_t foreground = foreground_in(row.mask, row.count);
-  if (foreground == 0) return 0;
+SURVTRACK_SIMD_INLINE void treat_foreground(const SelectiveRow<channels>& row, const SelectiveStep& step) {
   if (step.learn) absorb(row, step);
   if constexpr (channels == 3) {
     if (step.remove_shadows) remove_shadows(row, step);
   }
-  return foreground;
 }
 
-/// Pixels of their own in place of a row's end: loops over a whole block are several times as fast as over a part of one,
-/// and narrow regions are made of ends.
+/// A copy of the block in which a row ends: loops over a whole block are several times as fast as over a part of one, and
+/// narrow regions are made of ends.
 template <int channels>
 struct End {
   std::uint8_t frame[channels][block];
@@ -177,28 +174,42 @@ struct End {
   }
 };
 
-/// Fewer pixels than a block. What fills it up is black on black: it is never foreground.
+template <class Number>
+SURVTRACK_SIMD_INLINE void read_block(Number* to, const Number* from) {
+  std::memcpy(to, from, block * sizeof(Number));
+}
+
+/// The first `count` of a block; the others are written as they are, which spares a loop of any length.
+template <class Number>
+SURVTRACK_SIMD_INLINE void write_first(Number* to, const Number* from, std::size_t count) {
+  SURVTRACK_SIMD_LOOP
+  for (std::size_t i = 0; i < block; ++i) to[i] = i < count ? from[i] : to[i];
+}
+
+/// Fewer pixels than a block.
 template <int channels>
 SURVTRACK_SIMD_INLINE std::size_t step_end(const SelectiveRow<channels>& row, const SelectiveStep& step) {
-  End<channels> end{};
-  const std::size_t bytes = row.count;
+  End<channels> end;
+  const std::size_t count = row.count;
   for (int c = 0; c < channels; ++c) {
-    std::memcpy(end.frame[c], row.frame[c], bytes);
-    std::memcpy(end.background[c], row.background[c], 2 * bytes);
-    std::memcpy(end.candidate[c], row.candidate[c], bytes);
+    read_block(end.frame[c], row.frame[c]);
+    read_block(end.background[c], row.background[c]);
   }
-  std::memcpy(end.deviation, row.deviation, 2 * bytes);
-  std::memcpy(end.age_ms, row.age_ms, 2 * bytes);
-  const SelectiveRow<channels> filled = end.row();
-  compare_and_learn(filled, step);
-  const std::size_t foreground = treat_foreground(filled, step);
-  for (int c = 0; c < channels; ++c) {
-    std::memcpy(row.background[c], end.background[c], 2 * bytes);
-    std::memcpy(row.candidate[c], end.candidate[c], bytes);
+  read_block(end.deviation, row.deviation);
+  const SelectiveRow<channels> whole = end.row();
+  compare_and_learn(whole, step);
+  for (std::size_t i = 0; i < block; ++i) end.mask[i] = i < count ? end.mask[i] : std::uint8_t{0};
+  const std::size_t foreground = foreground_in(end.mask);
+  if (foreground > 0) {
+    for (int c = 0; c < channels; ++c) read_block(end.candidate[c], row.candidate[c]);
+    read_block(end.age_ms, row.age_ms);
+    treat_foreground(whole, step);
+    for (int c = 0; c < channels; ++c) write_first(row.candidate[c], end.candidate[c], count);
+    write_first(row.age_ms, end.age_ms, count);
   }
-  std::memcpy(row.deviation, end.deviation, 2 * bytes);
-  std::memcpy(row.age_ms, end.age_ms, 2 * bytes);
-  std::memcpy(row.mask, end.mask, bytes);
+  for (int c = 0; c < channels; ++c) write_first(row.background[c], end.background[c], count);
+  write_first(row.deviation, end.deviation, count);
+  std::memcpy(row.mask, end.mask, count);
   return foreground;
 }
 
@@ -209,7 +220,10 @@ struct StepKernel {
     const std::size_t whole = row.count - row.count % block;
     if (whole > 0) compare_and_learn(row.part(0, whole), step);
     for (std::size_t first = 0; first < whole; first += block) {
-      *foreground += treat_foreground(row.part(first, block), step);
+      const SelectiveRow<channels> part = row.part(first, block);
+      const std::size_t found = foreground_in(part.mask);
+      if (found > 0) treat_foreground(part, step);
+      *foreground += found;
     }
     if (whole < row.count) *foreground += step_end(row.part(whole, row.count - whole), step);
   }

@@ -14,8 +14,12 @@ constexpr int level_bits = 7;
 /// Deviations are held below this, so that foreground can be seen in the wildest place.
 constexpr std::int16_t largest_deviation = 80 << level_bits;
 
-/// A row of pixels, or a part of one: the frame and what is known of the place, channel by channel.
-/// The arrays have `count` elements and do not overlap.
+/// Pixels that are worked on together.
+constexpr std::size_t selective_block = 32;
+
+/// A row of pixels, or a part of one: the frame and what is known of the place, channel by channel. The arrays do not
+/// overlap. All but `mask` have `selective_block` elements more than `count`, of any value: the last pixels are worked on in
+/// a whole block, which leaves the others of the block as they were.
 template <int channels>
 struct SelectiveRow {
   const std::uint8_t* frame[channels];

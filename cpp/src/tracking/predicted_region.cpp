@@ -22,12 +22,18 @@ void require(bool holds, const char* what) {
 
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-bool is_variance(double v) { return std::isfinite(v) && v >= 0.0; }
+void check_covariance(const Symmetric2& C) {
+  require(std::isfinite(C.xx) && std::isfinite(C.xy) && std::isfinite(C.yy), "the covariance is not finite; expected px^2");
+  const double middle = 0.5 * (C.xx + C.yy), reach = std::hypot(0.5 * (C.xx - C.yy), C.xy);
+  // Up to rounding, to 1e-9 of the largest eigenvalue.
+  if (middle - reach >= -1e-9 * (std::abs(middle) + reach)) return;
+  throw InputError("predicted_region: covariance_px2 is no covariance: its smallest eigenvalue is " +
+                   std::to_string(middle - reach) + "; expected none below 0");
+}
 
 void check(const ExpectedObject& object) {
   require(finite(object.before) && finite(object.position), "a position is not finite; expected px");
-  const Symmetric2& C = object.covariance_px2;
-  require(is_variance(C.xx) && is_variance(C.yy) && std::isfinite(C.xy), "the covariance is not finite or has a negative variance");
+  check_covariance(object.covariance_px2);
   const Box& box = object.box;
   require(std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) && std::isfinite(box.height) &&
               box.width > 0.0 && box.height > 0.0,
@@ -120,8 +126,7 @@ Box predicted_region(const PredictedRegionsOptions& options, const ExpectedObjec
 Box predicted_region(const PredictedRegionsOptions& options, const ExpectedObject& object, const Path& path,
                      const ExpectedOnPath& place) {
   check(object);
-  const Symmetric2& C = place.covariance_px2;
-  require(is_variance(C.xx) && is_variance(C.yy), "a variance of S or T is not finite or negative");
+  check_covariance(place.covariance_px2);
   return with_size(options, object, places(options, path, place));
 }
 

@@ -90,27 +90,8 @@ def execute(
         SurvtrackError, OSError: what went wrong. Before the first result the folder is as it was;
             later what was seen before is in it, and run.json says that it is not complete.
     """
-    pipeline = survtrack.Pipeline(config)
-    if paths is not None:
-        pipeline.load_paths(paths)
-    elif config.filter.model == "kalman_path":
-        raise UsageError(
-            'filter.model "kalman_path": follows objects along paths; add --path FILE, '
-            "or choose another filter"
-        )
-    if request.scene is not None:
-        pipeline.load_learned_scene(read_text(request.scene), str(request.scene))
-    if request.zones:
-        pipeline.load_zones([zone_box(zone) for zone in request.zones])
-    load_background(pipeline, config, request.background)
-    source = open_source(
-        request.source,
-        fps=request.fps,
-        start=request.start,
-        step=request.step,
-        limit=request.limit,
-        resize=request.resize,
-    )
+    pipeline = prepared_pipeline(request, config, paths)
+    source = opened_source(request)
     refuse_endless_delay(source, pipeline)
     folder = RunFolder(request.out)
     sinks = make_sinks(folder, source, pipeline)
@@ -142,6 +123,42 @@ def execute(
         return _interrupted(signals)
     summary.raise_error()
     return 0
+
+
+def prepared_pipeline(
+    request: Request, config: "Config", paths: "Paths | None" = None
+) -> "Pipeline":
+    """A pipeline with all that the options load into it.
+
+    Raises:
+        UsageError, InputError: something is missing, is not taken by this config or cannot be read.
+    """
+    pipeline = survtrack.Pipeline(config)
+    if paths is not None:
+        pipeline.load_paths(paths)
+    elif config.filter.model == "kalman_path":
+        raise UsageError(
+            'filter.model "kalman_path": follows objects along paths; add --path FILE, '
+            "or choose another filter"
+        )
+    if request.scene is not None:
+        pipeline.load_learned_scene(read_text(request.scene), str(request.scene))
+    if request.zones:
+        pipeline.load_zones([zone_box(zone) for zone in request.zones])
+    load_background(pipeline, config, request.background)
+    return pipeline
+
+
+def opened_source(request: Request) -> Source:
+    """The frames that the options choose; raises what `open_source` does."""
+    return open_source(
+        request.source,
+        fps=request.fps,
+        start=request.start,
+        step=request.step,
+        limit=request.limit,
+        resize=request.resize,
+    )
 
 
 def _nothing_begun(summary: RunSummary, signals: list[int]) -> int:

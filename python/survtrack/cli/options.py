@@ -47,6 +47,14 @@ PathOption = Annotated[
         "filter.model kalman_path follows objects along them.",
     ),
 ]
+SceneOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--scene",
+        metavar="FILE",
+        help="Start from what an earlier run learned of this scene: its scene.json.",
+    ),
+]
 ZoneOption = Annotated[
     list[str] | None,
     typer.Option(

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command `survtrack run`."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -42,14 +41,6 @@ ViewsOption = Annotated[
     ),
 ]
 
-SceneOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--scene",
-        metavar="FILE",
-        help="Start from what an earlier run learned of this scene: its scene.json.",
-    ),
-]
 MatrixOption = Annotated[
     bool,
     typer.Option(
@@ -79,7 +70,7 @@ def run(
     views: ViewsOption = None,
     matrix: MatrixOption = False,
     stream: StreamOption = False,
-    scene: SceneOption = None,
+    scene: options.SceneOption = None,
     path_file: options.PathOption = None,
     zones: options.ZoneOption = None,
     background: BackgroundOption = None,

@@ -12,20 +12,26 @@ import typer
 import survtrack
 from survtrack._core import KalmanCaOptions, KalmanCvOptions, MeasurementRecorder
 from survtrack.cli import options as shared
-from survtrack.cli.job import INTERRUPTED, Request, resolve_config
+from survtrack.cli.background import BackgroundOption
+from survtrack.cli.job import (
+    INTERRUPTED,
+    Request,
+    opened_source,
+    prepared_pipeline,
+    resolve_config,
+)
 from survtrack.cli.messages import print_error
 from survtrack.cli.progress import show_progress
 from survtrack.cli.signals import interrupted_by_signal
 from survtrack.errors import UsageError
 from survtrack.offline.noise import LEAST_STEPS, TunedNoise, tune_noise
 from survtrack.runner import RunSummary, refuse_endless_delay, results
-from survtrack.sinks.part_file import write_whole
-from survtrack.sources import Prefetch, open_source
+from survtrack.sinks.part_file import PartFile
+from survtrack.sources import Prefetch
 
 if TYPE_CHECKING:
     from survtrack._core import Config, FilterConsistency
     from survtrack.offline.noise import TunableOptions
-    from survtrack.sources import Source
 
 OutOption = Annotated[
     Path | None,
@@ -62,6 +68,9 @@ def tune_noise_command(
     resize: shared.ResizeOption = None,
     joint: JointOption = False,
     least_steps: LeastOption = LEAST_STEPS,
+    scene: shared.SceneOption = None,
+    zones: shared.ZoneOption = None,
+    background: BackgroundOption = None,
     out: OutOption = None,
     as_json: shared.JsonOption = False,
     quiet: shared.QuietOption = False,
@@ -73,18 +82,28 @@ def tune_noise_command(
     """
     request = Request(
         "tune-noise", source, preset, config, assignments or [], fps, start, step, limit,
-        shared.parse_size(resize), Path(), as_json, quiet,
+        shared.parse_size(resize), Path(), as_json, quiet, scene, None, background,
+        zones or [],
     )  # fmt: skip
     resolved = resolve_config(request)
     options = _tunable(resolved)
     recorder = MeasurementRecorder(resolved)
-    frames = _measure(request, resolved, recorder)
-    if frames is None:
-        return INTERRUPTED
-    tuned = tune_noise(recorder.tracks(), options, joint=joint, least_steps=least_steps)
-    text = config_text(resolved, tuned.options, request.source)
-    if out is not None:
-        write_whole(out, text)
+    file = None if out is None else PartFile(out)
+    # Where nothing can be written is told before the run, not after it.
+    if file is not None:
+        file.open()
+    try:
+        frames = _measure(request, resolved, recorder)
+        if frames is None:
+            return INTERRUPTED
+        tuned = tune_noise(recorder.tracks(), options, joint=joint, least_steps=least_steps)
+        text = config_text(resolved, tuned.options, request.source)
+        if file is not None:
+            file.write(text)
+            file.finish()
+    finally:
+        if file is not None:
+            file.discard()
     if as_json:
         print(json.dumps(_facts(tuned, options, recorder, frames, out), allow_nan=False))
     elif not quiet:
@@ -106,15 +125,8 @@ def _tunable(config: "Config") -> "TunableOptions":
 
 def _measure(request: Request, config: "Config", recorder: MeasurementRecorder) -> int | None:
     """Run the pipeline; returns the number of frames, None when it was interrupted."""
-    pipeline = survtrack.Pipeline(config)
-    source: Source = open_source(
-        request.source,
-        fps=request.fps,
-        start=request.start,
-        step=request.step,
-        limit=request.limit,
-        resize=request.resize,
-    )
+    pipeline = prepared_pipeline(request, config)
+    source = opened_source(request)
     refuse_endless_delay(source, pipeline)
     total = source.selection.expected_count(source.frame_count_declared)
     summary = RunSummary()

@@ -129,7 +129,7 @@ TEST(RtsSmoother, IsTheLeastSquaresSolutionOfTheWholeRun) {
   // A walk x_k = x_{k-1} + 1 + noise, from N(0, 4), measured with R = 1: the mode of the joint density of all states.
   constexpr int steps = 12;
   KalmanFilter<1, 1> filter({One(1.0), One(1.0), One(0.5), One(1.0), One(1.0), {}}, One(0.0), One(4.0));
-  FilteredRun run;
+  FilteredRun<> run;
   run.F = {One(1.0)};
   run.Q = {One(0.5)};
   run.Bu = {One(1.0)};
@@ -150,12 +150,20 @@ TEST(RtsSmoother, IsTheLeastSquaresSolutionOfTheWholeRun) {
     run.x.emplace_back(filter.x());
     run.P.emplace_back(filter.P());
   }
-  const SmoothedRun smoothed = rts_smooth(run);
+  FilteredRun<1> fixed{{}, {}, {One(1.0)}, {One(0.5)}, {One(1.0)}};
+  for (int k = 0; k < steps; ++k) {
+    fixed.x.emplace_back(run.x[static_cast<std::size_t>(k)]);
+    fixed.P.emplace_back(run.P[static_cast<std::size_t>(k)]);
+  }
+  const SmoothedRun<> smoothed = rts_smooth(run);
+  const SmoothedRun<1> smoothed_fixed = rts_smooth(fixed);
   const MatrixXd covariance = A.inverse();
   const VectorXd x = covariance * b;
   for (int k = 0; k < steps; ++k) {
     EXPECT_NEAR(smoothed.x[static_cast<std::size_t>(k)](0), x(k), 1e-12);
     EXPECT_NEAR(smoothed.P[static_cast<std::size_t>(k)](0, 0), covariance(k, k), 1e-12);
+    EXPECT_NEAR(smoothed_fixed.x[static_cast<std::size_t>(k)](0), x(k), 1e-12);
+    EXPECT_NEAR(smoothed_fixed.P[static_cast<std::size_t>(k)](0, 0), covariance(k, k), 1e-12);
   }
   run.Q = {One(0.5), One(0.5)};
   EXPECT_TRUE(contains(message_of<InputError>([&] { rts_smooth(run); }), "Q: has 2 steps; expected 12"));

@@ -16,6 +16,7 @@ Config region_config(Acquisition acquisition = Acquisition::border) {
   regions.acquisition = acquisition;
   regions.border = 0.2;
   regions.refresh_frames = 20;
+  regions.whole_above = 100.0;  // in frames as small as these pieces of rows cost more than their pixels spare
   config.regions = regions;
   return config;
 }
@@ -88,6 +89,23 @@ TEST(Regions, AreReadWholeWhenTheyWouldCostMore) {
     EXPECT_EQ(result.detections.pixels_read, 160 * 120);
     EXPECT_EQ(count_of(result, RegionKind::whole_frame), 1U);
     EXPECT_EQ(count_of(result, RegionKind::refresh), 0U);
+  }
+}
+
+TEST(Regions, OfManyPiecesCostMoreThanTheirPixels) {
+  for (const auto& [whole_above, pixels] : {std::pair{1.0, 160 * 120}, std::pair{100.0, 6 * 8 * 120}}) {
+    Config config = region_config();
+    auto& options = std::get<PredictedRegionsOptions>(config.regions);
+    options.acquisition = Acquisition::zones;
+    options.refresh_frames = 0;
+    options.whole_above = whole_above;
+    Pipeline pipeline(config);
+    std::vector<Box> columns;
+    for (int k = 0; k < 6; ++k) columns.push_back({20.0 + 20.0 * k, 0.0, 8.0, 120.0});
+    pipeline.load_zones(columns);
+    std::optional<FrameResult> result;
+    for (int i = 0; i < 20; ++i) result = pipeline.process(cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(90)), 0.1 * i);
+    EXPECT_EQ(result->detections.pixels_read, pixels);
   }
 }
 
@@ -188,7 +206,7 @@ TEST(Regions, OfTheCallersOwnAreRead) {
   EXPECT_EQ(seen->items[0].box.x, 40.0);
   EXPECT_EQ(seen->items[0].box.right(), 60.0) << "what lies beyond is not seen";
   EXPECT_EQ(message_of<InputError>([&] { detector.process(scene.frame(2.0), 1.1, {}, {}, {left, {400.0, 0.0, 10.0, 10.0}}); })
-                .find("expectation.regions[1]: (400.000000, 0.000000, 10.000000, 10.000000) lies outside of the frame of 160x120"),
+                .find("regions[1]: (400.000000, 0.000000, 10.000000, 10.000000) lies outside of the frame of 160x120"),
             0U);
   Config other = scene_config();
   other.segmenter = KnnOptions{};

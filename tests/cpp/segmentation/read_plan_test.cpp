@@ -29,6 +29,14 @@ cv::Mat picture_of(const ReadPlan& plan) {
   return picture;
 }
 
+std::int64_t pieces_of(const ReadPlan& plan) {
+  std::int64_t pieces = 0;
+  for (const ReadPlan::Band& band : plan.bands()) {
+    pieces += static_cast<std::int64_t>(band.last_span - band.first_span) * (band.bottom - band.top);
+  }
+  return pieces;
+}
+
 TEST(ReadPlan, IsTheUnionOfItsParts) {
   std::minstd_rand random(3);
   const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
@@ -52,6 +60,7 @@ TEST(ReadPlan, IsTheUnionOfItsParts) {
     EXPECT_EQ(cv::norm(picture_of(plan), expected, cv::NORM_INF), 0.0) << trial;
     EXPECT_EQ(plan.pixels(), cv::countNonZero(expected)) << trial;
     EXPECT_EQ(plan.whole(), cv::countNonZero(expected) == size.area()) << trial;
+    EXPECT_EQ(plan.cost_px(), plan.pixels() + 64 * pieces_of(plan)) << trial;
   }
 }
 
@@ -60,6 +69,7 @@ TEST(ReadPlan, OfAWholeFrameHasOneSpan) {
   plan.read_whole({64, 48});
   EXPECT_TRUE(plan.whole());
   EXPECT_EQ(plan.pixels(), 64 * 48);
+  EXPECT_EQ(plan.cost_px(), ReadPlan::whole_cost_px({64, 48}));
   ASSERT_EQ(plan.bands().size(), 1U);
   ASSERT_EQ(plan.spans().size(), 1U);
   plan.clear({64, 48});

@@ -25,12 +25,19 @@ const SelectiveStep usual{.rate_q15 = 328,
                           .shadow_darkest_q15 = 22937,
                           .shadow_tolerance = 8};
 
-/// A row of pixels with all that is known of them, in memory of its own.
+/// A row of pixels with all that is known of them, in memory of its own. Behind it are others that differ from their
+/// background, and must stay as they are.
 template <int channels>
 struct Pixels {
   explicit Pixels(std::size_t count)
       : width(count), frame(count * channels), background(count * channels), deviation(count),
-        candidate(count * channels), age_ms(count), mask(count) {}
+        candidate(count * channels), age_ms(count), mask(count) {
+    frame.resize(frame.size() + selective_block, 200);
+    background.resize(background.size() + selective_block, 50 << level_bits);
+    deviation.resize(deviation.size() + selective_block, 3);
+    candidate.resize(candidate.size() + selective_block, 100);
+    age_ms.resize(age_ms.size() + selective_block, 60000);
+  }
 
   SelectiveRow<channels> row() {
     SelectiveRow<channels> row{};
@@ -223,8 +230,8 @@ TEST_P(SelectiveKernels, EqualThePlainModelAtTheEdgesOfTheirRanges) {
 TEST_P(SelectiveKernels, MoveByHandWorkedSteps) {
   for (const auto& [rate_q15, movement] : {std::pair{328, 13}, {8192, 320}, {32767, 1280}, {12, 0}, {13, 1}, {0, 0}}) {
     Pixels<1> pixel(1);
-    pixel.frame = {110};
-    pixel.background = {12800};
+    pixel.frame[0] = 110;
+    pixel.background[0] = 12800;
     SelectiveStep step = usual;
     step.rate_q15 = rate_q15;
     EXPECT_EQ(selective_step(pixel.row(), step), 0U);

@@ -116,7 +116,7 @@ TEST(PredictedRegion, RefusesWhatIsNoExpectation) {
   EXPECT_EQ(refused(object), "predicted_region: a position is not finite; expected px");
   object = runner();
   object.covariance_px2.yy = -1.0;
-  EXPECT_EQ(refused(object).find("predicted_region: the covariance"), 0U);
+  EXPECT_EQ(refused(object).find("predicted_region: covariance_px2 is no covariance: its smallest eigenvalue is "), 0U);
   object = runner();
   object.box.width = 0.0;
   EXPECT_EQ(refused(object).find("predicted_region: the box"), 0U);

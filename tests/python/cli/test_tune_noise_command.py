@@ -98,9 +98,29 @@ def test_refuses_what_it_cannot_do(tmp_path: Path, capsys: pytest.CaptureFixture
         assert tune(images, "--out", out, *args) == code, message
         told = capsys.readouterr()
         assert told.out == "" and message in told.err, told.err
+    assert not out.with_name("tuned.toml.part").exists()
+    assert tune(images, "--out", tmp_path / "none" / "tuned.toml") == 1
+    told = capsys.readouterr()
+    assert "none/tuned.toml: No such file or directory" in told.err and "0 steps" not in told.err
     assert tune(tmp_path / "none") == 1
     assert "none" in capsys.readouterr().err
     assert not out.exists()
+
+
+def test_takes_a_background_and_zones(
+    footage: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    first = min(footage.iterdir())
+    reference = ("--set", "segmenter.model=static_reference", "--set", "segmenter.source=picture")
+    assert tune(footage, *reference) == 2
+    assert "segmenter.source: picture needs one; add --background FILE" in capsys.readouterr().err
+    assert facts_of(capsys, footage, *reference, "--background", first)["steps"] > 50
+    zones = ("--set", "regions.model=predicted", "--set", "regions.acquisition=zones")
+    whole = facts_of(capsys, footage)
+    found = facts_of(capsys, footage, *zones, "--zone", "0,0,320,240")
+    assert found["steps"] > 50 and found["frames"] == whole["frames"]
+    assert tune(footage, "--zone", "0,0,320,240") != 0
+    assert "zone" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["vtest.avi", "bgslib_video02.avi"])

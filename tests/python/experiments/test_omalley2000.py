@@ -16,6 +16,7 @@ from survtrack.experiments import Dataset, ReportFolder
 from survtrack.experiments.footage import Footage
 from survtrack.experiments.omalley2000 import (
     OMalley2000,
+    filmed,
     filters,
     footage_runs,
     identified,
@@ -147,8 +148,8 @@ def test_the_preset_has_the_identified_noises(made: measured.Made) -> None:
     assert isinstance(options, survtrack.KalmanPathOptions)
     values = identified.noises(*made.densities)
     assert options.process_variances == pytest.approx(np.diag(values.Q), rel=0.02)
-    # In the preset's unit, which is a round one.
-    assert math.sqrt(options.measurement_variances[0]) * options.unit_px == race.SIGMA_PX
+    # Half a pixel, in the preset's unit: the race's pictures are measured better than the report's.
+    assert math.sqrt(options.measurement_variances[0]) * options.unit_px == 0.5
 
 
 def test_verdicts_are_those_of_the_numbers(made: measured.Made) -> None:
@@ -207,6 +208,17 @@ def test_a_car_is_held_with_all_its_corners() -> None:
     ]
     assert regions.holds(survtrack.Box(32, -5, 36, 16), corners)
     assert not regions.holds(survtrack.Box(33, -5, 36, 16), corners)
+
+
+def test_the_preset_reads_less_than_a_constant_box(made: measured.Made) -> None:
+    printed, ours = made.filmed
+    assert (printed.preset, ours.preset) == filmed.PRESETS
+    assert ours.frames == printed.frames == filmed.FRAMES - filmed.WARM_UP
+    assert len(ours.areas_px) == ours.frames, "it is never lost"
+    assert ours.hit_rate >= 0.99 and ours.saving >= 0.33 and ours.pixels < 0.1
+    assert ours.constant_px > np.prod(regions.CAR_PX)
+    assert printed.hit_rate < 0.9 and printed.saving < 0
+    assert (ours.variances < 0.01).all(), "half a pixel is enough"
 
 
 def test_footage_is_read_whole_and_in_regions() -> None:

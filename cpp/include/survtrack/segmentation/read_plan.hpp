@@ -44,6 +44,12 @@ class ReadPlan {
   /// Those of all bands, from left to right in each.
   const std::vector<Span>& spans() const { return spans_; }
   std::int64_t pixels() const { return pixels_; }
+  /// What it takes to read them, in pixels: each piece of a row costs `piece_cost_px` more than its pixels.
+  std::int64_t cost_px() const { return pixels_ + piece_cost_px * pieces_; }
+  /// What it takes to read a whole frame.
+  static std::int64_t whole_cost_px(const cv::Size& size);
+  /// To begin in a new place takes `selective` as long as this many pixels; measured, see docs/regions.md.
+  static constexpr std::int64_t piece_cost_px = 64;
   double refresh_elapsed_s() const { return elapsed_s_; }
 
  private:
@@ -59,6 +65,7 @@ class ReadPlan {
   std::vector<Band> bands_;
   std::vector<Span> spans_;
   std::int64_t pixels_ = 0;
+  std::int64_t pieces_ = 0;  ///< spans of all rows
 };
 
 }  // namespace survtrack

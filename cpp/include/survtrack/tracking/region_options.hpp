@@ -43,7 +43,7 @@ struct PredictedRegionsOptions {
   Acquisition acquisition = Acquisition::border;
   double border = 0.05;
   int refresh_frames = 20;
-  double whole_above = 0.7;
+  double whole_above = 0.9;
 
   static constexpr auto fields() {
     using O = PredictedRegionsOptions;
@@ -65,8 +65,10 @@ struct PredictedRegionsOptions {
         field("refresh_frames", &O::refresh_frames, "frames",
               "a strip a frame is read in turn, so that each place is seen once in so many; 0: none is",
               between(0, 100000)),
-        field("whole_above", &O::whole_above, "", "a frame of which more than this part would be read is read whole",
-              between(0, 1)));
+        field("whole_above", &O::whole_above, "",
+              "a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel "
+              "each, and 64 more for every piece of a row",
+              between(0, 100)));
   }
 };
 

@@ -29,6 +29,7 @@ def facts(made: Made, read: list[Read]) -> dict[str, Any]:
                 for sigmas, (inside, theory) in made.regions.drawn.items()
             ],
         },
+        "filmed": [one.facts() for one in made.filmed],
         "footage": [
             {
                 "name": one.name,

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import survtrack
 from survtrack.experiments.following import rms
 from survtrack.experiments.omalley2000 import (
+    filmed,
     filters,
     identified,
     published,
@@ -18,6 +19,7 @@ from survtrack.experiments.omalley2000 import (
     region_trials,
 )
 from survtrack.experiments.omalley2000.errata import measure_errata
+from survtrack.experiments.omalley2000.filmed import Filmed
 from survtrack.experiments.omalley2000.filters import Filtered
 from survtrack.experiments.omalley2000.race import Race
 from survtrack.experiments.omalley2000.region_trials import Regions
@@ -58,6 +60,7 @@ class Made:
         runs, errors: by the names in NAMES.
         raw: rms errors of T, vS and vT, as they are measured and differenced.
         densities: identified, of S and T.
+        filmed: what the presets read of the drive, through the whole pipeline.
     """
 
     race: Race
@@ -67,12 +70,13 @@ class Made:
     densities: tuple[float, float]
     errata: list[Erratum]
     regions: Regions
+    filmed: list[Filmed]
 
 
 def frames() -> int:
     """Of all runs, for the progress."""
     filtered = published.DATAPOINTS * (len(NAMES) + 2 * len(identified.DENSITIES))
-    return filtered + region_trials.frames()
+    return filtered + region_trials.frames() + filmed.frames()
 
 
 def measure(tick: Callable[[int], None]) -> Made:
@@ -93,7 +97,8 @@ def measure(tick: Callable[[int], None]) -> Made:
         rms(velocities[:, 1]),
     )
     looked = region_trials.measure(tick)
-    return Made(one, runs, errors, raw, densities, measure_errata(), looked)
+    seen = filmed.measure(tick)
+    return Made(one, runs, errors, raw, densities, measure_errata(), looked, seen)
 
 
 def raw_velocities(measured: Floats) -> Floats:
