@@ -10,9 +10,11 @@
 #include <random>
 #include <vector>
 
+#include "survtrack/filtering/extended_kalman_filter.hpp"
 #include "survtrack/filtering/kalman_array.hpp"
 #include "survtrack/filtering/kalman_filter.hpp"
 #include "survtrack/filtering/motion_model.hpp"
+#include "survtrack/filtering/unscented_kalman_filter.hpp"
 
 namespace {
 
@@ -62,13 +64,9 @@ typename KalmanFilter<N, M>::Model model_of() {
 /// The state at the end, so that nothing is left out as unused.
 double end = 0.0;
 
-template <int Order, int N, int M>
-Spread single(const std::vector<Eigen::Vector2d>& places) {
-  constexpr int n = MotionModel<Order>::state_size;
-  using Filter = KalmanFilter<N, M>;
-  const typename Filter::State x = Eigen::VectorXd::Zero(n);
-  const typename Filter::StateMatrix P = 10.0 * Eigen::MatrixXd::Identity(n, n);
-  Filter filter(model_of<Order, N, M>(), x, P);
+template <class Filter>
+Spread walked(Filter filter, const std::vector<Eigen::Vector2d>& places) {
+  const typename Filter::State x = filter.x();
   return time_of(steps, [&] {
     filter.set_x(x);
     for (const Eigen::Vector2d& z : places) {
@@ -77,6 +75,48 @@ Spread single(const std::vector<Eigen::Vector2d>& places) {
     }
     end += filter.x()(0) + filter.last().nis;
   });
+}
+
+template <int n, class Filter>
+typename Filter::State start() {
+  return Eigen::VectorXd::Zero(n);
+}
+
+template <int n, class Filter>
+typename Filter::StateMatrix start_covariance() {
+  return 10.0 * Eigen::MatrixXd::Identity(n, n);
+}
+
+template <int Order, int N, int M>
+Spread single(const std::vector<Eigen::Vector2d>& places) {
+  constexpr int n = MotionModel<Order>::state_size;
+  using Filter = KalmanFilter<N, M>;
+  return walked(Filter(model_of<Order, N, M>(), start<n, Filter>(), start_covariance<n, Filter>()), places);
+}
+
+/// The same model by functions, for the filters that take any.
+template <int Order, int N, int M>
+NonlinearModel<N, M> functions_of() {
+  const auto model = model_of<Order, N, M>();
+  return {[F = model.F](const auto& x, const Eigen::VectorXd&) { return F * x; }, [H = model.H](const auto& x) { return H * x; },
+          model.Q, model.R};
+}
+
+template <int Order, int N, int M>
+Spread extended(const std::vector<Eigen::Vector2d>& places) {
+  constexpr int n = MotionModel<Order>::state_size;
+  using Filter = ExtendedKalmanFilter<N, M>;
+  const auto model = model_of<Order, N, M>();
+  return walked(Filter(functions_of<Order, N, M>(), start<n, Filter>(), start_covariance<n, Filter>(),
+                       [F = model.F](const auto&, const Eigen::VectorXd&) { return F; }, [H = model.H](const auto&) { return H; }),
+                places);
+}
+
+template <int Order, int N, int M>
+Spread unscented(const std::vector<Eigen::Vector2d>& places) {
+  constexpr int n = MotionModel<Order>::state_size;
+  using Filter = UnscentedKalmanFilter<N, M>;
+  return walked(Filter(functions_of<Order, N, M>(), start<n, Filter>(), start_covariance<n, Filter>()), places);
 }
 
 template <int Order>
@@ -106,6 +146,10 @@ int main() {
   constexpr int dynamic = Eigen::Dynamic;
   print("KalmanFilter<4, 2>, KalmanFilter<6, 2>", single<2, 4, 2>(places), single<3, 6, 2>(places));
   print("KalmanFilter<>", single<2, dynamic, dynamic>(places), single<3, dynamic, dynamic>(places));
+  print("ExtendedKalmanFilter<4, 2>, <6, 2>", extended<2, 4, 2>(places), extended<3, 6, 2>(places));
+  print("ExtendedKalmanFilter<>", extended<2, dynamic, dynamic>(places), extended<3, dynamic, dynamic>(places));
+  print("UnscentedKalmanFilter<4, 2>, <6, 2>", unscented<2, 4, 2>(places), unscented<3, 6, 2>(places));
+  print("UnscentedKalmanFilter<>", unscented<2, dynamic, dynamic>(places), unscented<3, dynamic, dynamic>(places));
   print("KalmanArray of 1000", together<2>(places), together<3>(places));
   return end == end ? 0 : 1;
 }

@@ -64,4 +64,14 @@ py::array_t<double> array_of(const Symmetric2& m) {
   return array;
 }
 
+py::array_t<double> array_of(const Matrix2& m) {
+  py::array_t<double> array({2, 2});
+  auto a = array.mutable_unchecked<2>();
+  a(0, 0) = m.xx;
+  a(0, 1) = m.xy;
+  a(1, 0) = m.yx;
+  a(1, 1) = m.yy;
+  return array;
+}
+
 }  // namespace survtrack::bindings

@@ -35,6 +35,7 @@ inline py::typing::Tuple<double, double, double> tuple_of(const Color& c) {
   return py::make_tuple(c.blue, c.green, c.red);
 }
 py::array_t<double> array_of(const Symmetric2& m);
+py::array_t<double> array_of(const Matrix2& m);
 
 void bind_options(py::module_& module);
 void bind_config(py::module_& module);

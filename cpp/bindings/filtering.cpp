@@ -108,14 +108,18 @@ py::array_t<double> points(const PyFilterBank& self, const Get& get) {
   return array;
 }
 
+Matrix2 full(const Symmetric2& m) { return {m.xx, m.xy, m.xy, m.yy}; }
+Matrix2 full(const Matrix2& m) { return m; }
+
 template <class Get>
 py::array_t<double> matrices(const PyFilterBank& self, const Get& get) {
   py::array_t<double> array({self.bank->size(), 2, 2});
   auto a = array.mutable_unchecked<3>();
   for (int i = 0; i < self.bank->size(); ++i) {
-    const Symmetric2 m = get(i);
+    const Matrix2 m = full(get(i));
     a(i, 0, 0) = m.xx;
-    a(i, 0, 1) = a(i, 1, 0) = m.xy;
+    a(i, 0, 1) = m.xy;
+    a(i, 1, 0) = m.yx;
     a(i, 1, 1) = m.yy;
   }
   return array;
@@ -177,6 +181,16 @@ void bind_filtering(py::module_& module) {
       .def_property_readonly("position_covariances_px2", [](const PyFilterBank& self) {
         return matrices(self, [&](int i) { return self.bank->estimate(i).covariance_px2; });
       }, "Nx2x2, px^2")
+      .def_property_readonly("velocity_covariances", [](const PyFilterBank& self) {
+        return matrices(self, [&](int i) { return self.bank->estimate(i).velocity_covariance; });
+      }, "Nx2x2, px^2 per time unit^2; zero for filters without one")
+      .def_property_readonly("cross_covariances", [](const PyFilterBank& self) {
+        return matrices(self, [&](int i) { return self.bank->estimate(i).cross_covariance; });
+      }, "Nx2x2, px^2 per time unit: rows of the position, columns of the velocity")
+      .def_property_readonly("velocity_noises", [](const PyFilterBank& self) {
+        return matrices(self, [&](int i) { return self.bank->estimate(i).velocity_noise; });
+      }, "Nx2x2, px^2 per time unit^3: what the velocities' covariances gain in a time unit by process noise; zero for\n"
+         "kalman_ca with continuous noise, which is in the acceleration, and for filters without covariances.")
       .def_property_readonly("innovation_covariances_px2", [](const PyFilterBank& self) {
         return matrices(self, [&](int i) { return self.bank->innovation_covariance_px2(i); });
       }, "Nx2x2, px^2")

@@ -36,6 +36,11 @@ void bind_region_values(py::module_& module) {
       .value("refresh", RegionKind::refresh, "In turn, so that the background stays up to date.")
       .finalize();
   py::class_<Region>(module, "Region", "A part of a frame that is read.")
+      .def(py::init([](const Box& box, RegionKind kind, std::int64_t track_id) {
+             if (track_id < 0) throw InputError("track_id: " + std::to_string(track_id) + " is not allowed; expected 0 or more");
+             return Region{box, kind, track_id};
+           }),
+           py::arg("box"), py::arg("kind"), py::arg("track_id") = 0, "Raises InputError for a track_id below 0.")
       .def_readonly("box", &Region::box, "px")
       .def_readonly("kind", &Region::kind)
       .def_readonly("track_id", &Region::track_id, "Of a predicted one; 0: of a tentative track, or of none.")

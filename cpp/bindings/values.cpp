@@ -72,6 +72,15 @@ void bind_track(py::module_& module) {
       .def_property_readonly("velocity_px_per_s", [](const Track& t) { return tuple_of(t.velocity_px_per_s); }, "(x, y)")
       .def_property_readonly("position_covariance_px2",
                              [](const Track& t) { return array_of(t.position_covariance_px2); }, "2x2, px^2")
+      .def_property_readonly("velocity_covariance_px2_per_s2",
+                             [](const Track& t) { return array_of(t.velocity_covariance_px2_per_s2); },
+                             "2x2; zero of filters that do not know theirs (mean_velocity)")
+      .def_property_readonly("position_velocity_covariance_px2_per_s",
+                             [](const Track& t) { return array_of(t.position_velocity_covariance_px2_per_s); },
+                             "2x2, rows of the position, columns of the velocity")
+      .def_property_readonly("velocity_noise_px2_per_s3",
+                             [](const Track& t) { return array_of(t.velocity_noise_px2_per_s3); },
+                             "2x2, process noise: what the velocity's covariance gains in a second")
       .def_property_readonly("predicted_position", [](const Track& t) { return tuple_of(t.predicted_position); },
                              "(x, y) in px: where this frame's detection was expected.")
       .def_property_readonly("mean_color", [](const Track& t) { return tuple_of(t.mean_color); },

@@ -233,6 +233,12 @@ class Region:
     """
     def __eq__(self, arg0: typing.Any) -> bool: ...
     def __hash__(self) -> int: ...
+    def __init__(
+        self, box: Box, kind: RegionKind, track_id: typing.SupportsInt | typing.SupportsIndex = 0
+    ) -> None:
+        """
+        Raises InputError for a track_id below 0.
+        """
     def __repr__(self) -> str: ...
     @property
     def box(self) -> Box:
@@ -366,6 +372,11 @@ class Track:
         2x2, px^2
         """
     @property
+    def position_velocity_covariance_px2_per_s(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2, rows of the position, columns of the velocity
+        """
+    @property
     def predicted_position(self) -> tuple[float, float]:
         """
         (x, y) in px: where this frame's detection was expected.
@@ -384,6 +395,16 @@ class Track:
     def start_time_s(self) -> float: ...
     @property
     def status(self) -> TrackStatus: ...
+    @property
+    def velocity_covariance_px2_per_s2(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2; zero of filters that do not know theirs (mean_velocity)
+        """
+    @property
+    def velocity_noise_px2_per_s3(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        2x2, process noise: what the velocity's covariance gains in a second
+        """
     @property
     def velocity_px_per_s(self) -> tuple[float, float]:
         """
@@ -6262,6 +6283,11 @@ class FilterBank:
         Nx2, px: width and height; NaN of filters over positions
         """
     @property
+    def cross_covariances(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2 per time unit: rows of the position, columns of the velocity
+        """
+    @property
     def innovation_covariances_px2(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         Nx2x2, px^2
@@ -6285,6 +6311,17 @@ class FilterBank:
     def velocities(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         Nx2, px per time unit
+        """
+    @property
+    def velocity_covariances(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2 per time unit^2; zero for filters without one
+        """
+    @property
+    def velocity_noises(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Nx2x2, px^2 per time unit^3: what the velocities' covariances gain in a time unit by process noise; zero for
+        kalman_ca with continuous noise, which is in the acceleration, and for filters without covariances.
         """
 
 class Pipeline:

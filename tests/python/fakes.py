@@ -45,6 +45,11 @@ class Track:
     reported: bool = True
     velocity_px_per_s: tuple[float, float] = (0.0, 0.0)
     position_covariance_px2: np.ndarray = field(default_factory=lambda: np.eye(2))
+    velocity_covariance_px2_per_s2: np.ndarray = field(default_factory=lambda: np.zeros((2, 2)))
+    position_velocity_covariance_px2_per_s: np.ndarray = field(
+        default_factory=lambda: np.zeros((2, 2))
+    )
+    velocity_noise_px2_per_s3: np.ndarray = field(default_factory=lambda: np.zeros((2, 2)))
     age_frames: int = 0
     lost_frames: int = 0
     mean_color: tuple[float, float, float] = (0.0, 0.0, 0.0)

@@ -5,7 +5,17 @@
 import zlib
 from typing import Any
 
-NAMES = ("x", "y", "w", "h", "dx", "dy", "vx", "vy", "sx", "sy", "r")
+# By flag: the parts of a track.
+PARTS = {
+    0: ("x", "y"),
+    8: ("w", "h", "dx", "dy"),
+    16: ("vx", "vy"),
+    32: ("sx", "sy", "r"),
+}
+MOTION = ("svx", "svy", "xx", "yy", "nx", "ny", "rv", "xy", "yx", "rn")
+NAMES = [name for names in (*PARTS.values(), MOTION) for name in names]
+DEVIATIONS = ("sx", "sy", "svx", "svy", "nx", "ny")
+HEADER = ("width", "height", "rate", "ticks", "px", "speed", "octave", "correlation", "damping")
 
 
 class Bytes:
@@ -41,15 +51,15 @@ def read(data: bytes) -> tuple[dict[str, int], list[dict[str, Any]]]:
         assert int.from_bytes(stream.take(4), "little") == crc
 
     assert stream.take(8) == bytes([0x89, 0x53, 0x56, 0x54, 0x0D, 0x0A, 0x1A, 0x0A])
-    assert stream.take(1) == b"\x01"
+    assert stream.take(1) == b"\x02"
     body = Bytes(stream.take(stream.varint()))
-    names = ("width", "height", "rate", "ticks", "px", "speed", "octave", "correlation")
-    header = {name: body.varint() for name in names}
+    header = {name: body.varint() for name in HEADER}
     assert body.at == len(body.data)
     sealed(0)
     frames: list[dict[str, Any]] = []
     index, ticks, period = -1, None, round(1000 * header["ticks"] / header["rate"])
     before: dict[int, dict[str, Any]] = {}
+    read_before: list[tuple[int, int, list[int]]] = []
     while True:
         since = stream.at
         record = Bytes(stream.take(stream.varint()))
@@ -67,11 +77,33 @@ def read(data: bytes) -> tuple[dict[str, int], list[dict[str, Any]]]:
         for _ in range(record.varint()):
             track_id += 1 + record.varint()
             tracks[track_id] = track_of(record, before.get(track_id), passed, header)
+        regions, whole = regions_of(record, read_before)
         assert record.at == len(record.data)
-        frames.append({"index": index, "time_s": ticks / header["ticks"], "tracks": tracks})
-        before = tracks
+        frame = {"index": index, "time_s": ticks / header["ticks"], "tracks": tracks}
+        frames.append({**frame, "regions": regions, "whole": whole})
+        before, read_before = tracks, regions
     assert stream.at == len(data)
     return header, frames
+
+
+def regions_of(
+    record: Bytes, before: list[tuple[int, int, list[int]]]
+) -> tuple[list[tuple[int, int, list[int]]], bool]:
+    """(kind, track's id or 0, box) of each region, and whether the whole frame was read, too."""
+    regions: list[tuple[int, int, list[int]]] = []
+    if record.at == len(record.data):
+        return regions, False
+    count, whole = divmod(record.varint(), 2)
+    for _ in range(count):
+        [flags] = record.take(1)
+        kind = flags & 3
+        assert kind in (1, 2, 3) and flags < 8
+        track_id = record.varint() if kind == 1 else 0
+        rank = sum(1 for region in regions if region[:2] == (kind, track_id))
+        alike = [box for *which, box in before if which == [kind, track_id]]
+        box = alike[rank] if rank < len(alike) else [0, 0, 0, 0]
+        regions.append((kind, track_id, [a + record.signed() for a in box] if flags & 4 else box))
+    return regions, bool(whole)
 
 
 def track_of(
@@ -83,23 +115,33 @@ def track_of(
     for place, speed in (("x", "vx"), ("y", "vy")):
         moved = steps[place] + (2 * steps[speed] * passed * header["px"] + per) // (2 * per)
         steps[place] = max(-(2**40), min(moved, 2**40))
-    steps["x"] += record.signed()
-    steps["y"] += record.signed()
-    for flag, names in ((8, "w h dx dy"), (16, "vx vy"), (32, "sx sy r")):
-        for name in names.split() if flags & flag else ():
+    for flag, names in PARTS.items():
+        for name in names if flags & flag == flag else ():
+            steps[name] += record.signed()
+    mask = record.varint() if flags & 64 else 0
+    assert flags < 128 and mask < 1024
+    for k, name in enumerate(MOTION):
+        if mask & 2**k:
             steps[name] += record.signed()
     left = steps["x"] - steps["w"] // 2 + steps["dx"]
     top = steps["y"] - steps["h"] // 2 + steps["dy"]
     box = [left, top, steps["w"], steps["h"]]
     measured = [a + record.signed() for a in box] if flags & 4 else None
-    none = -16 * header["octave"]
-    sx, sy = (0 if steps[s] == none else 2 ** (steps[s] / header["octave"]) for s in ("sx", "sy"))
+    of = {name: deviation(step, header) for name, step in steps.items() if name in DEVIATIONS}
+    part = {name: step / header["correlation"] for name, step in steps.items()}
     return {
         "steps": steps,
         "status": flags & 3,
         "box": [side / header["px"] for side in box],
         "position": (steps["x"] / header["px"], steps["y"] / header["px"]),
         "velocity": (steps["vx"] / header["speed"], steps["vy"] / header["speed"]),
-        "covariance": (sx**2, steps["r"] / header["correlation"] * sx * sy, sy**2),
+        "covariance": (of["sx"] ** 2, part["r"] * of["sx"] * of["sy"], of["sy"] ** 2),
+        "rates": (of["svx"] ** 2, part["rv"] * of["svx"] * of["svy"], of["svy"] ** 2),
+        "cross": tuple(part[a + b] * of["s" + a] * of["sv" + b] for a in "xy" for b in "xy"),
+        "noise": (of["nx"] ** 2, part["rn"] * of["nx"] * of["ny"], of["ny"] ** 2),
         "measured": None if measured is None else [side / header["px"] for side in measured],
     }
+
+
+def deviation(steps: int, header: dict[str, int]) -> float:
+    return 0.0 if steps == -16 * header["octave"] else 2.0 ** (steps / header["octave"])

@@ -14,6 +14,7 @@ namespace {
 void print(const survtrack::Box& b) { std::printf(" %a %a %a %a", b.x, b.y, b.width, b.height); }
 void print(const survtrack::Point& p) { std::printf(" %a %a", p.x, p.y); }
 void print(const survtrack::Symmetric2& m) { std::printf(" %a %a %a", m.xx, m.xy, m.yy); }
+void print(const survtrack::Matrix2& m) { std::printf(" %a %a %a %a", m.xx, m.xy, m.yx, m.yy); }
 void print(const survtrack::Color& c) { std::printf(" %a %a %a", c.blue, c.green, c.red); }
 
 void print(const survtrack::Track& t) {
@@ -22,6 +23,9 @@ void print(const survtrack::Track& t) {
   print(t.position);
   print(t.velocity_px_per_s);
   print(t.position_covariance_px2);
+  print(t.velocity_covariance_px2_per_s2);
+  print(t.position_velocity_covariance_px2_per_s);
+  print(t.velocity_noise_px2_per_s3);
   print(t.predicted_position);
   print(t.mean_color);
   std::printf(" %d %d %d %d\n", t.detection, t.age_frames, t.matched_frames, t.lost_frames);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "filtering/estimate_of.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/filtering/discrete_step.hpp"
 
@@ -85,9 +86,8 @@ void DiscreteBank::check_frame_size(int width, int height) const {
 void DiscreteBank::set_frame_size(int width, int height) { frame_center_ = {0.5 * width, 0.5 * height}; }
 
 Estimate DiscreteBank::estimate(int slot) const {
-  const auto x = bank_.x(slot);
-  const auto P = bank_.P(slot);
-  return {{x(0), x(1)}, {x(2), x(3)}, {P(0, 0), P(0, 1), P(1, 1)}};
+  const auto& Q = options_.process_variances;
+  return estimate_of(bank_.x(slot), bank_.P(slot), {Q[2] / options_.step_time, 0.0, Q[3] / options_.step_time});
 }
 
 Symmetric2 DiscreteBank::innovation_covariance_px2(int slot, const Symmetric2& extra_px2) const {

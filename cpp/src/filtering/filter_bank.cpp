@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "filtering/estimate_of.hpp"
 #include "filtering/turn_banks.hpp"
 #include "survtrack/filtering/box_bank.hpp"
 #include "survtrack/filtering/discrete_bank.hpp"
@@ -98,10 +99,12 @@ class KalmanFilterBank final : public FilterBank {
   void set_object_size(int slot, double object_size_px) override { lengths_[at(slot)] = length(object_size_px); }
 
   Estimate estimate(int slot) const override {
-    const auto x = bank_.x(slot);
-    const auto P = bank_.P(slot);
-    return {{x(0), x(1)}, {x(2), x(3)}, {P(0, 0), P(0, 1), P(1, 1)}};
+    const double deviation = noise_.density_root * lengths_[at(slot)];
+    // Noise in the acceleration is not one in the velocity.
+    const bool direct = Order == 2 || noise_.form == NoiseForm::identity;
+    return estimate_of(bank_.x(slot), bank_.P(slot), round_noise(direct ? deviation * deviation : 0.0));
   }
+  Point predicted_position(int slot) const override { return {bank_.x(slot)(0), bank_.x(slot)(1)}; }
 
   using FilterBank::innovation_covariance_px2;
   Symmetric2 innovation_covariance_px2(int slot, const Symmetric2& extra_px2) const override {

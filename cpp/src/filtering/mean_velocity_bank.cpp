@@ -50,7 +50,7 @@ void MeanVelocityBank::correct(int slot, const Point& measured, const Symmetric2
 
 Estimate MeanVelocityBank::estimate(int slot) const {
   const Slot& s = at(slot);
-  return {options_.extrapolate_lost ? s.predicted : s.measured, s.velocity, {}};
+  return {options_.extrapolate_lost ? s.predicted : s.measured, s.velocity, {}, {}, {}, {}};
 }
 
 Eigen::VectorXd MeanVelocityBank::state(int slot) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "filtering/estimate_of.hpp"
 #include "filtering/turn_banks.hpp"
 #include "filtering/turn_motion.hpp"
 #include "survtrack/core/errors.hpp"
@@ -117,7 +118,7 @@ class TurnKalmanBank final : public FilterBank {
 
   Estimate estimate(int slot) const override {
     const Slot& s = at(slot);
-    return {{s.x(0), s.x(1)}, {s.x(2), s.x(3)}, {s.P(0, 0), s.P(0, 1), s.P(1, 1)}};
+    return estimate_of(s.x, s.P, round_noise(noise_.velocity_density(s.length)));
   }
   using FilterBank::innovation_covariance_px2;
   Symmetric2 innovation_covariance_px2(int slot, const Symmetric2& extra_px2) const override {

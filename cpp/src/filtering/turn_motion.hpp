@@ -22,6 +22,8 @@ struct TurnNoise {
         position(o.position_noise), initial_velocity(o.initial_velocity), lost_damping_time(o.lost_damping_time) {}
 
   double length(double object_size_px) const { return unit == NoiseUnit::px ? 1.0 : object_size_px; }
+  /// Of the velocity's process noise beyond the turn, px^2 per time unit^3.
+  double velocity_density(double length) const { return velocity * length * velocity * length; }
   Eigen::Matrix2d R(double length, const Symmetric2& extra_px2) const;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "filtering/estimate_of.hpp"
 #include "filtering/turn_banks.hpp"
 #include "filtering/turn_motion.hpp"
 #include "survtrack/core/errors.hpp"
@@ -164,9 +165,8 @@ class TurnParticleBank final : public FilterBank {
   void set_object_size(int slot, double object_size_px) override { at(slot).length = noise_.length(object_size_px); }
 
   Estimate estimate(int slot) const override {
-    const State& x = at(slot).swarm.x();
-    const Matrix& P = at(slot).swarm.P();
-    return {{x(0), x(1)}, {x(2), x(3)}, {P(0, 0), P(0, 1), P(1, 1)}};
+    const Slot& s = at(slot);
+    return estimate_of(s.swarm.x(), s.swarm.P(), round_noise(noise_.velocity_density(s.length)));
   }
   using FilterBank::innovation_covariance_px2;
   Symmetric2 innovation_covariance_px2(int slot, const Symmetric2& extra_px2) const override {

@@ -33,6 +33,8 @@ Eigen::Matrix2d matrix_of(const Symmetric2& s) {
   return m;
 }
 
+Symmetric2 symmetric_of(const Eigen::Matrix2d& m) { return {m(0, 0), m(0, 1), m(1, 1)}; }
+
 }  // namespace
 
 PathBank::PathBank(const KalmanPathOptions& options) : options_(options) {
@@ -169,8 +171,17 @@ void PathBank::correct(int slot, const Point& measured, const Symmetric2& extra_
 Estimate PathBank::estimate(int slot) const {
   const Eigen::Matrix2d J = directions(slot);
   const Eigen::Vector2d velocity = J * bank_.x(slot).tail<2>();
-  const Eigen::Matrix2d P = J * bank_.P(slot).topLeftCorner<2, 2>() * J.transpose();
-  return {path_of(slot).to_image(place(slot)), {velocity(0), velocity(1)}, {P(0, 0), P(0, 1), P(1, 1)}};
+  const auto turned = [&J](const Eigen::Matrix2d& block) -> Eigen::Matrix2d { return J * block * J.transpose(); };
+  const auto P = bank_.P(slot);
+  const Eigen::Matrix2d C = turned(P.topRightCorner<2, 2>());
+  const auto& Q = options_.process_variances;
+  const Eigen::Matrix2d noise = turned(Eigen::Vector2d(Q[2], Q[3]).asDiagonal()) / options_.step_time;
+  return {path_of(slot).to_image(place(slot)),
+          {velocity(0), velocity(1)},
+          symmetric_of(turned(P.topLeftCorner<2, 2>())),
+          symmetric_of(turned(P.bottomRightCorner<2, 2>())),
+          {C(0, 0), C(0, 1), C(1, 0), C(1, 1)},
+          symmetric_of(noise)};
 }
 
 Point PathBank::innovation(int slot, const Point& measured) const {

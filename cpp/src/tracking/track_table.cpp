@@ -234,6 +234,10 @@ void TrackTable::refresh(int i) {
   row.track.position = now.position;
   row.track.velocity_px_per_s = (1.0 / time_unit_s_) * now.velocity;
   row.track.position_covariance_px2 = now.covariance_px2;
+  const double per_s = 1.0 / time_unit_s_;
+  row.track.velocity_covariance_px2_per_s2 = per_s * per_s * now.velocity_covariance;
+  row.track.position_velocity_covariance_px2_per_s = per_s * now.cross_covariance;
+  row.track.velocity_noise_px2_per_s3 = per_s * per_s * per_s * now.velocity_noise;
   row.track.box = box_at(measurement_, row, now.position);
 }
 

@@ -13,6 +13,7 @@ from survtrack.cli.job import Request, execute, resolve_config
 from survtrack.drawing import VIEW_NAMES, VIEW_OUTPUTS, Views
 from survtrack.errors import UsageError
 from survtrack.path_file import read_paths, require_frame_size
+from survtrack.replay.damping import lost_damping_s
 from survtrack.sinks import (
     AnnotatedVideo,
     EventLines,
@@ -120,7 +121,8 @@ def run(
             sinks.append(MatrixLines(path / "matrices.jsonl"))
         rate = source.fps / source.selection.step
         if stream:
-            sinks.append(TrackStream(path / "tracks.svt", fps=rate))
+            damping_s = lost_damping_s(resolved)
+            sinks.append(TrackStream(path / "tracks.svt", fps=rate, lost_damping_s=damping_s))
         if paths is not None:
             sinks.append(PathCsv(path / "path.csv", paths))
         if video:

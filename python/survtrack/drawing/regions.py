@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which parts of a frame were read, and why."""
 
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from survtrack.drawing.colors import BLACK, Color
 from survtrack.drawing.scene import Scene, Style, draw_label
 
 if TYPE_CHECKING:
-    from survtrack._core import FrameResult
+    from survtrack._core import FrameResult, Region
 
 # Predicted regions are magenta as in O'Malley 2000.
 COLORS: dict[str, Color] = {
@@ -31,8 +32,6 @@ class RegionRenderer:
 
     def annotate(self, scene: Scene, result: "FrameResult") -> Scene:
         """Draw on scene, HxWx3 BGR, in place; return it."""
-        import cv2
-
         regions = [region for region in result.regions if region.kind.name != "whole_frame"]
         height, width = scene.shape[:2]
         if len(regions) == len(result.regions):
@@ -41,12 +40,20 @@ class RegionRenderer:
                 (left, top), (right, bottom) = corners(region.box, scene)
                 unread[max(top, 0) : bottom, max(left, 0) : right] = False
             scene[unread] = (scene[unread] * UNREAD).astype(np.uint8)
-        for kind in ("refresh", "acquisition", "predicted"):
-            for region in regions:
-                if region.kind.name == kind:
-                    (left, top), (right, bottom) = corners(region.box, scene)
-                    last = (min(right, width) - 1, min(bottom, height) - 1)
-                    cv2.rectangle(scene, (left, top), last, COLORS[kind], Style.of(scene).line)
+        outline(scene, regions, ("refresh", "acquisition", "predicted"), Style.of(scene).line)
         part = result.pixels_read / (height * width)
         draw_label(scene, f"read: {100 * part:.0f} %", (0, height), BLACK)
         return scene
+
+
+def outline(scene: Scene, regions: "Sequence[Region]", kinds: Iterable[str], line_px: int) -> None:
+    """Frames around the regions of some kinds, the last kind on top, in the colours of COLORS."""
+    import cv2
+
+    height, width = scene.shape[:2]
+    for kind in kinds:
+        for region in regions:
+            if region.kind.name == kind:
+                (left, top), (right, bottom) = corners(region.box, scene)
+                last = (min(right, width) - 1, min(bottom, height) - 1)
+                cv2.rectangle(scene, (left, top), last, COLORS[kind], line_px)

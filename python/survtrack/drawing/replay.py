@@ -12,6 +12,7 @@ from survtrack.drawing.boxes import OUTSIDE_PX, corners
 from survtrack.drawing.colors import BLACK, Color, color_of_id
 from survtrack.drawing.markers import RED, unit_ellipse
 from survtrack.drawing.paper import plain_ground
+from survtrack.drawing.regions import COLORS, outline
 from survtrack.drawing.scene import (
     Point,
     Scene,
@@ -19,6 +20,7 @@ from survtrack.drawing.scene import (
     as_scene,
     draw_dashed_line,
     draw_label,
+    label_size,
 )
 from survtrack.errors import InputError
 
@@ -32,10 +34,13 @@ Points = npt.NDArray[np.float64]
 FILTERED: Color = (255, 112, 24)
 MEASURED: Color = RED
 DISTANCE = 2.4477468306808166  # holds 95 %: the root of -2 ln 0.05
+NEXT_MEASURED = "next measured"
 TRAIL_FRAMES = 60
 SHIFT = 4
 FADED = 0.6  # what is left of a background under what is drawn
 SAME_FORM = 0.01
+# Of the regions that are drawn; the strip that is read in turn says nothing of the scene.
+REGION_KINDS = ("acquisition", "predicted")
 
 
 class Trails:
@@ -61,7 +66,8 @@ class OverView:
     """Boxes, ids, trails and covariances over a background, or over plain ground.
 
     Blue: filtered; dashed when it is lost or predicted. Red: measured in the next frame. Thin: the
-    ellipse that holds the position with 95 %.
+    ellipse that holds the position with 95 %; magenta the regions where tracks were expected in the
+    next frame, orange those where newcomers were looked for in it.
     """
 
     def __init__(self, size: tuple[int, int], background: Scene | None = None) -> None:
@@ -81,6 +87,8 @@ class OverView:
         places = {track.id: track.position for track in frame.tracks}
         for track_id, line in self._trails.lines(frame, places).items():
             draw_line(scene, np.array(line), color_of_id(track_id))
+        regions = () if shown.following is None else shown.following.regions
+        outline(scene, regions, REGION_KINDS, 1)
         for box in next_measured(shown).values():
             _draw_box(scene, box, MEASURED, dashed=False)
         for track in frame.tracks:
@@ -90,6 +98,9 @@ class OverView:
         for track in frame.tracks:
             draw_label(scene, label_of(track), corners(track.box, scene)[0], color_of_id(track.id))
         draw_captions(scene, frame)
+        if regions:
+            above = scene.shape[0] - label_size(scene, NEXT_MEASURED)[1]
+            draw_label(scene, "looked at next", (scene.shape[1], above), COLORS["predicted"])
         return scene
 
 
@@ -146,7 +157,7 @@ def draw_captions(scene: Scene, frame: "StreamFrame") -> None:
     draw_label(scene, when, (0, 0), BLACK)
     height, width = scene.shape[:2]
     draw_label(scene, "filtered", (0, height), FILTERED)
-    draw_label(scene, "next measured", (width, height), MEASURED)
+    draw_label(scene, NEXT_MEASURED, (width, height), MEASURED)
 
 
 def _draw_box(scene: Scene, box: "Box", color: Color, *, dashed: bool) -> None:

@@ -6,6 +6,7 @@ O'Malley 2000: what is sent is the state of what was tracked, not the video. doc
 format to the byte.
 """
 
+from survtrack.replay.damping import lost_damping_s
 from survtrack.replay.decoder import TrackStreamDecoder
 from survtrack.replay.encoder import TrackStreamEncoder
 from survtrack.replay.filling import paced, predicted
@@ -23,6 +24,7 @@ __all__ = [
     "TrackStreamDecoder",
     "TrackStreamEncoder",
     "TrackStreamReader",
+    "lost_damping_s",
     "paced",
     "predicted",
     "read_ground",

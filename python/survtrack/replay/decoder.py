@@ -6,6 +6,7 @@ import zlib
 
 from survtrack.errors import InputError
 from survtrack.replay.header import CRC_BYTES, header_length, read_header
+from survtrack.replay.places import regions_of
 from survtrack.replay.records import MOST_RECORD_BYTES, Foresight, Moment, read_record
 from survtrack.replay.states import restored
 from survtrack.replay.values import StreamFrame, StreamHeader
@@ -132,4 +133,5 @@ class TrackStreamDecoder:
 
 def _frame(moment: Moment, header: StreamHeader) -> StreamFrame:
     tracks = tuple(restored(track_id, state, header) for track_id, state in moment.states.items())
-    return StreamFrame(moment.index, moment.ticks / header.ticks_per_s, tracks)
+    regions = regions_of(moment.places, header)
+    return StreamFrame(moment.index, moment.ticks / header.ticks_per_s, tracks, regions=regions)

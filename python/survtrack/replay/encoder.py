@@ -4,10 +4,13 @@
 
 import math
 import zlib
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from survtrack.errors import InputError, UsageError
+from survtrack.replay.damping import check_damping
 from survtrack.replay.header import CRC_BYTES, MOST_RATE_MHZ, write_header
+from survtrack.replay.places import places_of
 from survtrack.replay.records import Foresight, Moment, write_record
 from survtrack.replay.states import State, quantized
 from survtrack.replay.values import StreamHeader
@@ -23,18 +26,27 @@ class TrackStreamEncoder:
     What each gives can be sent at once: a reader needs nothing that comes later.
     """
 
-    def __init__(self, size: tuple[int, int], *, fps: float) -> None:
+    def __init__(
+        self, size: tuple[int, int], *, fps: float, lost_damping_s: float | None = None
+    ) -> None:
         """Args:
         size: (width, height) of the frames in px, each 1 to 2^24.
         fps: nominal results per second, 0.001 to 1e6.
+        lost_damping_s: in which the filter lets the velocity of a lost track fall to 1/e, 0 (it
+            stands at once) to 1e9; None: it does not fall. lost_damping_s(config) knows.
 
         Raises:
-            UsageError: fps is out of its bounds.
+            UsageError: fps or lost_damping_s is out of its bounds.
             InputError: size is.
         """
         if not (math.isfinite(fps) and 0.001 <= fps <= MOST_RATE_MHZ / 1000):
             raise UsageError(f"fps: {fps} frames/s is not allowed in a track stream; 0.001 to 1e6")
-        self._header = StreamHeader(*size, rate_mhz=round(1000 * fps))
+        check_damping(lost_damping_s)
+        header = StreamHeader(*size, rate_mhz=round(1000 * fps))
+        if lost_damping_s is not None:
+            ticks = max(1, round(lost_damping_s * header.ticks_per_s))
+            header = replace(header, lost_damping_ticks=ticks)
+        self._header = header
         self._start = write_header(self._header)
         self._foresight = Foresight(self._header)
         self._crc = 0
@@ -55,7 +67,8 @@ class TrackStreamEncoder:
             raise InputError(f"frame {result.index + 1}: its time is {time_s} s")
         states = {track.id: self._state(track, result) for track in result.tracks if track.reported}
         ticks = math.floor(time_s * self._header.ticks_per_s + 0.5)
-        record = write_record(Moment(result.index, ticks, states), self._foresight)
+        places = places_of(result, self._header)
+        record = write_record(Moment(result.index, ticks, states, places), self._foresight)
         data = bytearray()
         put(data, len(record))
         return self._sealed(bytes(data + record))

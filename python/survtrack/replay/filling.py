@@ -5,13 +5,12 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from survtrack._core import Box
 from survtrack.errors import UsageError
-from survtrack.replay.values import StreamFrame, StreamTrack
+from survtrack.replay.damping import check_damping
+from survtrack.replay.motion import moved
+from survtrack.replay.values import StreamFrame
 
 MAX_GAP_S = 2.5  # as long as the default lifecycle keeps a track that is lost
-# Of a velocity, in standard deviations of its position a nominal period.
-VELOCITY_DEVIATION = 0.5
 MOST_FPS = 1000.0
 MOST_GAP_S = 3600.0
 
@@ -29,29 +28,35 @@ class Shown:
     following: StreamFrame | None
 
 
-def predicted(frame: StreamFrame, time_s: float, period_s: float) -> StreamFrame:
-    """The frame as it is expected to be at a later time.
+def predicted(
+    frame: StreamFrame, time_s: float, lost_damping_s: float | None = None
+) -> StreamFrame:
+    """The frame as it is expected to be at a later time, by one step of its tracks' filters.
 
-    Positions and boxes move on with their velocities; the covariance P of a position becomes
-    (1 + (n / 2)^2) P after n nominal periods. That is what a velocity gives which is known to half
-    a standard deviation of the position a period; docs/replay.md says how often it holds.
+    Positions and boxes move on with their velocities, and the covariance of a position becomes
+    P + t (C + C') + t^2 V + t^3 / 3 q, with those of position (P), of position and velocity (C), of
+    velocity (V) and its noise (q): docs/replay.md.
 
     Args:
         frame: as it was recorded.
         time_s: when; not before the frame's own time.
-        period_s: from frame to frame, above 0.
+        lost_damping_s: the velocity of a lost track falls to 1/e in it, 0 to 1e9; None: it does
+            not. The stream's header has it.
+
+    Raises:
+        UsageError: lost_damping_s is out of its bounds.
     """
+    check_damping(lost_damping_s)
     passed_s = time_s - frame.time_s
-    growth = 1 + (VELOCITY_DEVIATION * passed_s / period_s) ** 2
-    tracks = tuple(_moved(track, passed_s, growth) for track in frame.tracks)
-    return replace(frame, time_s=time_s, tracks=tracks, predicted_s=passed_s)
+    tracks = tuple(moved(track, passed_s, lost_damping_s) for track in frame.tracks)
+    return replace(frame, time_s=time_s, tracks=tracks, predicted_s=passed_s, regions=())
 
 
 def paced(
     frames: Iterable[StreamFrame],
     fps: float,
     *,
-    period_s: float,
+    lost_damping_s: float | None = None,
     max_gap_s: float = MAX_GAP_S,
 ) -> Iterator[Shown]:
     """What to show, 1 / fps apart, from the first frame to the last.
@@ -63,21 +68,22 @@ def paced(
     Args:
         frames: rising in time.
         fps: pictures per second, above 0, at most 1000.
-        period_s: as for predicted().
+        lost_damping_s: as for predicted().
         max_gap_s: 0 to 3600.
 
     Raises:
-        UsageError: fps or max_gap_s is out of its bounds.
+        UsageError: fps, lost_damping_s or max_gap_s is out of its bounds.
     """
+    check_damping(lost_damping_s)
     if not 0 < fps <= MOST_FPS:
         raise UsageError(f"fps: {fps} pictures/s is not allowed; above 0, at most {MOST_FPS:g}")
     if not 0 <= max_gap_s <= MOST_GAP_S:
         raise UsageError(f"max_gap: {max_gap_s} s is not allowed; 0 to {MOST_GAP_S:g}")
-    return _paced(iter(frames), fps, period_s, max_gap_s)
+    return _paced(iter(frames), fps, lost_damping_s, max_gap_s)
 
 
 def _paced(
-    rest: Iterator[StreamFrame], fps: float, period_s: float, max_gap_s: float
+    rest: Iterator[StreamFrame], fps: float, lost_damping_s: float | None, max_gap_s: float
 ) -> Iterator[Shown]:
     current, following = next(rest, None), next(rest, None)
     if current is None:
@@ -97,7 +103,7 @@ def _paced(
             began_s, count = following.time_s, 0
             continue
         else:
-            yield Shown(predicted(current, time_s, period_s), following)
+            yield Shown(predicted(current, time_s, lost_damping_s), following)
         count += 1
 
 
@@ -105,16 +111,3 @@ def _is_nearer(following: StreamFrame, current: StreamFrame, time_s: float, half
     """True when a picture for this time has more to do with the next frame."""
     ahead_s = following.time_s - time_s
     return ahead_s <= 0 or (ahead_s <= half_s and ahead_s < abs(time_s - current.time_s))
-
-
-def _moved(track: StreamTrack, passed_s: float, growth: float) -> StreamTrack:
-    dx, dy = (speed * passed_s for speed in track.velocity_px_per_s)
-    box, (x, y) = track.box, track.position
-    xx, xy, yy = track.covariance_px2
-    return replace(
-        track,
-        box=Box(box.x + dx, box.y + dy, box.width, box.height),
-        position=(x + dx, y + dy),
-        covariance_px2=(growth * xx, growth * xy, growth * yy),
-        measured=None,
-    )

@@ -60,7 +60,7 @@ def replay_stream(
     reader = TrackStreamReader(path)
     header = reader.header
     fps = header.fps if fps is None else fps
-    paced([], fps, period_s=1 / header.fps, max_gap_s=max_gap_s)
+    paced([], fps, max_gap_s=max_gap_s)
     source_bytes = source_bytes_of(path)
     render, figures = _prepared(reader, background, view, ground)
     facts = {
@@ -77,7 +77,7 @@ def replay_stream(
     if out is not None:
         # The file may grow meanwhile: what is drawn is what was counted.
         frames = _first(TrackStreamReader(path), figures.frames)
-        shown = paced(frames, fps, period_s=1 / header.fps, max_gap_s=max_gap_s)
+        shown = paced(frames, fps, lost_damping_s=header.lost_damping_s, max_gap_s=max_gap_s)
         facts.update(_write(Path(out), shown, render, fps, progress))
         facts["out"] = str(out) if facts["pictures"] else None
     return facts

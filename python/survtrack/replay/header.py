@@ -10,11 +10,17 @@ from survtrack.replay.varint import Damaged, Numbers, find, put
 
 # As PNG's: no text begins so, and a transfer that changes line ends or the eighth bit shows.
 MAGIC = b"\x89SVT\r\n\x1a\n"
-VERSION = 1
+VERSION = 2
 CRC_BYTES = 4
 MOST_HEADER_BYTES = 1024
 MOST_STEP = 2**24  # of the units, and of the frame's sides
 MOST_RATE_MHZ = 1_000_000_000
+MOST_TICKS = 2**53
+BOUNDS = {
+    "rate_mhz": (1, MOST_RATE_MHZ),
+    "ticks_per_s": (1, MOST_RATE_MHZ),
+    "lost_damping_ticks": (0, MOST_TICKS),
+}
 
 
 def write_header(header: StreamHeader) -> bytes:
@@ -44,8 +50,8 @@ def header_length(data: bytes | bytearray) -> int | None:
         raise InputError(f"is no track stream: it begins with {bytes(data[: len(MAGIC)])!r}")
     if len(data) > len(MAGIC) and data[len(MAGIC)] != VERSION:
         raise InputError(
-            f"is a track stream of version {data[len(MAGIC)]}; "
-            f"this survtrack reads version {VERSION}"
+            f"is a track stream of version {data[len(MAGIC)]}; this survtrack reads version "
+            f"{VERSION}: `survtrack run --stream` writes it anew"
         )
     try:
         found = find(data, len(MAGIC) + 1) if len(data) > len(MAGIC) + 1 else None
@@ -79,7 +85,7 @@ def what_is_wrong(header: StreamHeader) -> str | None:
     """Words for the first field that is out of its bounds; None when none is."""
     for each in fields(header):
         value = getattr(header, each.name)
-        most = MOST_RATE_MHZ if each.name in ("rate_mhz", "ticks_per_s") else MOST_STEP
-        if not 1 <= value <= most:
-            return f"{each.name} is {value}; 1 to {most} is allowed"
+        least, most = BOUNDS.get(each.name, (1, MOST_STEP))
+        if not least <= value <= most:
+            return f"{each.name} is {value}; {least} to {most} is allowed"
     return None

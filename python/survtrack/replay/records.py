@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from survtrack.errors import InputError
+from survtrack.replay.covariances import Cross, Spread
+from survtrack.replay.places import NO_PLACES, Places, read_places, write_places
 from survtrack.replay.states import MOST_STEPS, NEW, State, is_allowed
 from survtrack.replay.values import StreamHeader
 from survtrack.replay.varint import Damaged, Numbers, put, put_signed
 
 # Of the byte of flags; its lowest two bits are the status.
 STATUS_BITS = 0b11
-MEASURED, SHAPE, VELOCITY, SPREAD = 4, 8, 16, 32
-ALL_FLAGS = STATUS_BITS | MEASURED | SHAPE | VELOCITY | SPREAD
+MEASURED, SHAPE, VELOCITY, SPREAD, MOTION = 4, 8, 16, 32, 64
+ALL_FLAGS = STATUS_BITS | MEASURED | SHAPE | VELOCITY | SPREAD | MOTION
+MOTION_NUMBERS = 10
 LEAST_TRACK_BYTES = 4
 MOST_INDEX = 2**53  # of indices, ids and ticks
 # What claims more is damaged, so that a reader never keeps more than this.
@@ -22,11 +25,12 @@ MOST_RECORD_BYTES = 2**24
 
 @dataclass(frozen=True)
 class Moment:
-    """One frame in steps: its index, its time in ticks, and the states of its tracks by id."""
+    """One frame in steps: its index, its time in ticks, the states of its tracks by id, regions."""
 
     index: int
     ticks: int
     states: dict[int, State] = field(default_factory=dict)
+    places: Places = NO_PLACES
 
 
 class Foresight:
@@ -46,6 +50,11 @@ class Foresight:
     def ticks(self) -> int:
         """Time of the next frame: as far from the last as that was from the one before."""
         return 0 if self._last is None else self._last.ticks + self._step_ticks
+
+    @property
+    def places(self) -> Places:
+        """The last frame's regions."""
+        return NO_PLACES if self._last is None else self._last.places
 
     def state(self, track_id: int, ticks: int) -> State:
         """The track's last state, moved on with its velocity; NEW for one that is new."""
@@ -95,8 +104,12 @@ def write_record(moment: Moment, foresight: Foresight) -> bytes:
         put(data, track_id - last_id - 1)
         last_id = track_id
         _write_state(data, state, foresight.state(track_id, moment.ticks))
+    write_places(data, moment.places, foresight.places)
     if len(data) > MOST_RECORD_BYTES:
-        raise InputError(f"frame {moment.index + 1}: {len(moment.states)} tracks are too many")
+        raise InputError(
+            f"frame {moment.index + 1}: {len(moment.states)} tracks and {len(moment.places.items)} "
+            "regions are too many"
+        )
     foresight.advance(moment)
     return bytes(data)
 
@@ -117,8 +130,9 @@ def read_record(data: bytes, foresight: Foresight, header: StreamHeader) -> Mome
         if not is_allowed(state, header) or track_id > MOST_INDEX:
             raise Damaged(f"track {track_id} is out of bounds")
         states[track_id] = state
+    places = read_places(numbers, foresight.places, header)
     numbers.all_read()
-    moment = Moment(index, ticks, states)
+    moment = Moment(index, ticks, states, places)
     if not foresight.follows(moment):
         raise Damaged("its index or time does not follow that of the frame before")
     foresight.advance(moment)
@@ -129,13 +143,18 @@ def _write_state(data: bytearray, state: State, expected: State) -> None:
     parts = [(SHAPE, _changes(state.shape, expected.shape))]
     parts.append((VELOCITY, _changes(state.velocity, expected.velocity)))
     parts.append((SPREAD, _changes(state.spread, expected.spread)))
+    motion = _changes(_in_motion_order(state), _in_motion_order(expected))
     flags = state.status | (0 if state.measured is None else MEASURED)
-    flags |= sum(flag for flag, changes in parts if any(changes))
+    flags |= sum(flag for flag, changes in parts if any(changes)) | (MOTION if any(motion) else 0)
     data.append(flags)
     for change in _changes(state.place, expected.place):
         put_signed(data, change)
     for flag, changes in parts:
         for change in changes if flags & flag else ():
+            put_signed(data, change)
+    if flags & MOTION:
+        put(data, sum(1 << k for k, change in enumerate(motion) if change))
+        for change in filter(None, motion):
             put_signed(data, change)
     for difference in state.measured or ():
         put_signed(data, difference)
@@ -144,11 +163,12 @@ def _write_state(data: bytearray, state: State, expected: State) -> None:
 def _read_state(numbers: Numbers, expected: State) -> State:
     flags = numbers.byte()
     if flags & ~ALL_FLAGS:
-        raise Damaged(f"the flags {flags:#04x} are none of version 1")
+        raise Damaged(f"the flags {flags:#04x} are none of version 2")
     x, y = _plus(expected.place, numbers, True)
     width, height, dx, dy = _plus(expected.shape, numbers, bool(flags & SHAPE))
     vx, vy = _plus(expected.velocity, numbers, bool(flags & VELOCITY))
     sx, sy, correlation = _plus(expected.spread, numbers, bool(flags & SPREAD))
+    rate_spread, cross, noise = _read_motion(numbers, expected, bool(flags & MOTION))
     measured = None
     if flags & MEASURED:
         left, top, wide, high = (numbers.signed() for _ in range(4))
@@ -158,9 +178,35 @@ def _read_state(numbers: Numbers, expected: State) -> State:
         (width, height, dx, dy),
         (vx, vy),
         (sx, sy, correlation),
+        rate_spread,
+        cross,
+        noise,
         flags & STATUS_BITS,
         measured,
     )
+
+
+def _read_motion(numbers: Numbers, expected: State, written: bool) -> tuple[Spread, Cross, Spread]:
+    """rate_spread, cross and noise."""
+    mask = numbers.number() if written else 0
+    if mask >> MOTION_NUMBERS:
+        raise Damaged(f"the mask {mask:#x} is none of version 2")
+    values = [
+        value + (numbers.signed() if mask >> k & 1 else 0)
+        for k, value in enumerate(_in_motion_order(expected))
+    ]
+    vx, vy, xx, yy, nx, ny, turned, xy, yx, noise_turned = values
+    return (vx, vy, turned), (xx, xy, yx, yy), (nx, ny, noise_turned)
+
+
+def _in_motion_order(state: State) -> tuple[int, ...]:
+    """What is written number by number; those first that change with axes on their own."""
+    (vx, vy, turned), (xx, xy, yx, yy), (nx, ny, noise_turned) = (
+        state.rate_spread,
+        state.cross,
+        state.noise,
+    )
+    return vx, vy, xx, yy, nx, ny, turned, xy, yx, noise_turned
 
 
 def _changes(values: Sequence[int], expected: Sequence[int]) -> list[int]:

@@ -7,6 +7,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from survtrack._core import Box, TrackStatus
 from survtrack.errors import InputError
+from survtrack.replay.covariances import (
+    Cross,
+    Spread,
+    covariance_of,
+    cross_covariance_of,
+    cross_of,
+    is_spread,
+    matrix_named,
+    spread_of,
+)
 from survtrack.replay.values import StreamHeader, StreamTrack
 
 if TYPE_CHECKING:
@@ -14,8 +24,6 @@ if TYPE_CHECKING:
 
 # Bounds of what is written, in steps: at 1/16 px some 7e10 px, far outside of every picture.
 MOST_STEPS = 2**40
-# Standard deviations, in octaves from 1 px: the least stands for none at all.
-LEAST_OCTAVE, MOST_OCTAVE = -16, 40
 
 Pair = tuple[int, int]
 
@@ -27,7 +35,10 @@ class State(NamedTuple):
     shape: width, height, and how far the box's upper left corner is from where it would be were
         the position its centre: left - (x - floor(width / 2)), top - (y - floor(height / 2)).
     velocity: (x, y).
-    spread: standard deviations (x, y) and the correlation.
+    spread: standard deviations (x, y) of the position and their correlation.
+    rate_spread: the same of the velocity.
+    cross: correlations of position and velocity: (x, vx), (x, vy), (y, vx), (y, vy).
+    noise: as spread, of what the velocity's covariance gains in a second.
     status: of TrackStatus.
     measured: left, top, width and height of the detection less those of the box; None: none.
     """
@@ -35,12 +46,15 @@ class State(NamedTuple):
     place: Pair
     shape: tuple[int, int, int, int]
     velocity: Pair
-    spread: tuple[int, int, int]
+    spread: Spread
+    rate_spread: Spread
+    cross: Cross
+    noise: Spread
     status: int
     measured: tuple[int, int, int, int] | None
 
 
-NEW = State((0, 0), (0, 0, 0, 0), (0, 0), (0, 0, 0), 0, None)
+NEW = State((0, 0), (0, 0, 0, 0), (0, 0), (0, 0, 0), (0, 0, 0), (0, 0, 0, 0), (0, 0, 0), 0, None)
 
 
 def quantized(track: "Track", detection: "Detection | None", header: StreamHeader) -> State:
@@ -65,7 +79,7 @@ def quantized(track: "Track", detection: "Detection | None", header: StreamHeade
     seen = None if detection is None else _box(detection.box, track.id, header)
     measured = None if seen is None else _minus(seen, corners)
     status = TrackStatus[track.status.name].value
-    return State((x, y), shape, (vx, vy), _spread(track, header), status, measured)
+    return State((x, y), shape, (vx, vy), *_uncertainty(track, header), status, measured)
 
 
 def restored(track_id: int, state: State, header: StreamHeader) -> StreamTrack:
@@ -83,8 +97,11 @@ def restored(track_id: int, state: State, header: StreamHeader) -> StreamTrack:
         Box(*(corner / px for corner in corners)),
         (x / px, y / px),
         (state.velocity[0] / speed, state.velocity[1] / speed),
-        _covariance(state.spread, header),
+        covariance_of(state.spread, header),
         measured,
+        covariance_of(state.rate_spread, header),
+        cross_covariance_of(state.cross, (state.spread, state.rate_spread), header),
+        covariance_of(state.noise, header),
     )
 
 
@@ -92,13 +109,11 @@ def is_allowed(state: State, header: StreamHeader) -> bool:
     """True for a state that quantized() could have made."""
     (x, y), (width, height, dx, dy) = state.place, state.shape
     lengths = (x, y, x - width // 2 + dx, y - height // 2 + dy, *state.velocity)
-    least, most = (header.steps_per_octave * octave for octave in (LEAST_OCTAVE, MOST_OCTAVE))
-    *deviations, correlation = state.spread
     allowed = (
         all(abs(length) <= MOST_STEPS for length in lengths)
         and all(0 <= side <= MOST_STEPS for side in (width, height))
-        and all(least <= deviation <= most for deviation in deviations)
-        and abs(correlation) <= header.steps_of_correlation
+        and all(is_spread(each, header) for each in (state.spread, state.rate_spread, state.noise))
+        and all(abs(correlation) <= header.steps_of_correlation for correlation in state.cross)
     )
     if not allowed or state.measured is None:
         return allowed
@@ -129,36 +144,18 @@ def _minus(a: tuple[int, int, int, int], b: tuple[int, int, int, int]) -> tuple[
     return a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]
 
 
-def _spread(track: "Track", header: StreamHeader) -> tuple[int, int, int]:
-    matrix = track.position_covariance_px2
-    xx, xy, yy = float(matrix[0, 0]), float(matrix[0, 1]), float(matrix[1, 1])
+def _uncertainty(track: "Track", header: StreamHeader) -> tuple[Spread, Spread, Cross, Spread]:
+    """Spread, rate_spread, cross and noise of a track."""
+    position = track.position_covariance_px2
+    xx, xy, yy = float(position[0, 0]), float(position[0, 1]), float(position[1, 1])
     if not all(map(math.isfinite, (xx, xy, yy))) or xx < 0 or yy < 0:
         raise InputError(
             f"track {track.id}: its position_covariance_px2 is [{xx}, {xy}, {yy}] (xx, xy, yy); "
             "finite numbers with variances of 0 or more are needed"
         )
-    sx, sy = (_deviation(value, header.steps_per_octave) for value in (xx, yy))
-    none = LEAST_OCTAVE * header.steps_per_octave
-    if none in (sx, sy):
-        return sx, sy, 0
-    correlation = xy / math.sqrt(xx) / math.sqrt(yy)
-    steps = header.steps_of_correlation
-    return sx, sy, math.floor(min(max(correlation, -1.0), 1.0) * steps + 0.5)
-
-
-def _deviation(variance_px2: float, steps_per_octave: int) -> int:
-    """Steps of the standard deviation whose square this is."""
-    least, most = LEAST_OCTAVE * steps_per_octave, MOST_OCTAVE * steps_per_octave
-    if variance_px2 <= 0:
-        return least
-    steps = math.floor(0.5 * steps_per_octave * math.log2(variance_px2) + 0.5)
-    return min(max(steps, least), most)
-
-
-def _covariance(spread: tuple[int, int, int], header: StreamHeader) -> tuple[float, float, float]:
-    none = LEAST_OCTAVE * header.steps_per_octave
-    sx, sy = (
-        0.0 if deviation <= none else 2.0 ** (deviation / header.steps_per_octave)
-        for deviation in spread[:2]
-    )
-    return sx * sx, spread[2] / header.steps_of_correlation * sx * sy, sy * sy
+    velocity = matrix_named(track, "velocity_covariance_px2_per_s2")
+    both = matrix_named(track, "position_velocity_covariance_px2_per_s")
+    noise = matrix_named(track, "velocity_noise_px2_per_s3")
+    spreads = spread_of(position, header), spread_of(velocity, header)
+    cross = cross_of(both, (position, velocity), spreads, header)
+    return *spreads, cross, spread_of(noise, header)

@@ -19,13 +19,15 @@ class Fingerprint {
 
   Fingerprint& operator<<(const Point& p) { return add(p.x, p.y); }
   Fingerprint& operator<<(const Symmetric2& s) { return add(s.xx, s.xy, s.yy); }
+  Fingerprint& operator<<(const Matrix2& m) { return add(m.xx, m.xy, m.yx, m.yy); }
   Fingerprint& operator<<(const Color& c) { return add(c.blue, c.green, c.red); }
   Fingerprint& operator<<(const Box& b) { return add(b.x, b.y, b.width, b.height); }
   Fingerprint& operator<<(const Track& t) {
     add("\ntrack", t.id, to_string(t.status), t.reported, t.detection, t.age_frames, t.matched_frames, t.lost_frames,
         t.group, t.start_index, t.end_index, t.start_time_s, t.end_time_s);
-    return *this << t.box << t.position << t.velocity_px_per_s << t.position_covariance_px2 << t.predicted_position
-                 << t.mean_color;
+    return *this << t.box << t.position << t.velocity_px_per_s << t.position_covariance_px2
+                 << t.velocity_covariance_px2_per_s2 << t.position_velocity_covariance_px2_per_s
+                 << t.velocity_noise_px2_per_s3 << t.predicted_position << t.mean_color;
   }
   Fingerprint& operator<<(const Event& e) {
     add("\nevent", to_string(e.kind), e.index, e.time_s, e.track_id, e.confidence, e.text);

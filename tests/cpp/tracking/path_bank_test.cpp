@@ -113,6 +113,30 @@ TEST(PathBank, TheCovarianceIsTurnedWithThePath) {
   EXPECT_NEAR(bank.innovation_covariance_px2(0).xx, 30.0, 1e-9);
 }
 
+TEST(PathBank, WhatIsKnownOfTheVelocityIsTurnedToo) {
+  KalmanPathOptions o;
+  o.process_variances = {0.0, 0.0, 6.0, 1.0};
+  o.initial_variances = {50.0, 2.0, 20.0, 4.0};
+  o.step_time = 2.0;
+  const double half = std::sqrt(0.5);
+  PathBank bank = bank_on(paths_of(Path({{0.0, 0.0}, {100.0 * half, 100.0 * half}})), o);
+  bank.add({30.0, 30.0}, 20.0);
+  const Estimate start = bank.estimate(0);
+  EXPECT_NEAR(start.velocity_covariance.xx, 12.0, 1e-9);
+  EXPECT_NEAR(start.velocity_covariance.xy, 8.0, 1e-9);
+  EXPECT_NEAR(start.velocity_covariance.yy, 12.0, 1e-9);
+  EXPECT_NEAR(start.cross_covariance.xx, 0.0, 1e-9);
+  EXPECT_NEAR(start.velocity_noise.xx, 1.75, 1e-9);
+  EXPECT_NEAR(start.velocity_noise.xy, 1.25, 1e-9);
+  bank.predict(2.0);  // one step: C = 2 V
+  const Estimate later = bank.estimate(0);
+  EXPECT_NEAR(later.covariance_px2.xy, 24.0 + 4.0 * 8.0, 1e-9);
+  EXPECT_NEAR(later.velocity_covariance.xx, 12.0 + 3.5, 1e-9);
+  EXPECT_NEAR(later.cross_covariance.xx, 24.0, 1e-9);
+  EXPECT_NEAR(later.cross_covariance.xy, 16.0, 1e-9);
+  EXPECT_NEAR(later.cross_covariance.yx, 16.0, 1e-9);
+}
+
 TEST(PathBank, WhatIsUnmeasuredInTheImageIsTurnedToo) {
   // On a path that goes down x is across it.
   PathBank bank = bank_on(paths_of(Path({{0.0, 0.0}, {0.0, 300.0}})));

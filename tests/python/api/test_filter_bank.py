@@ -100,6 +100,8 @@ def test_a_bank_is_filterpys_filters(options: Any) -> None:
             assert np.array_equal(bank.positions[slot], bank.state(slot)[:2])
             assert np.array_equal(bank.velocities[slot], bank.state(slot)[2:4])
             assert np.array_equal(bank.position_covariances_px2[slot], P[:2, :2])
+            assert np.array_equal(bank.velocity_covariances[slot], P[2:4, 2:4])
+            assert np.array_equal(bank.cross_covariances[slot], P[:2, 2:4])
 
 
 def test_noises_relative_to_the_objects_size_scale_all() -> None:
@@ -114,6 +116,9 @@ def test_noises_relative_to_the_objects_size_scale_all() -> None:
         large.correct([[8 * x, -8 * x]])
         assert large.state(0) == pytest.approx(8 * one.state(0), rel=1e-9)
         assert large.state_covariance(0) == pytest.approx(64 * one.state_covariance(0), rel=1e-9)
+        density = CV.velocity_noise**2
+        assert one.velocity_noises[0] == pytest.approx(density * np.eye(2), rel=1e-12)
+        assert large.velocity_noises[0] == pytest.approx(64 * density * np.eye(2), rel=1e-12)
 
 
 def test_the_velocity_of_a_lost_track_falls() -> None:
@@ -146,6 +151,8 @@ def test_the_mean_velocity_of_the_last_steps() -> None:
     bank.correct([[19, 6]])  # after two units
     assert bank.velocities.tolist() == pytest.approx(np.array([[16 / 4, 6 / 4]]))
     assert bank.state_covariance(0).shape == (0, 0)
+    for none in (bank.velocity_covariances, bank.cross_covariances, bank.velocity_noises):
+        assert not none.any()
 
 
 @pytest.mark.parametrize("options", ALL_OPTIONS, ids=lambda options: options.model)
@@ -171,6 +178,8 @@ def test_slots_move_down_when_one_is_removed(options: Any) -> None:
     bank = FilterBank(options)
     assert (len(bank), bank.positions.shape, bank.velocities.shape) == (0, (0, 2), (0, 2))
     assert bank.position_covariances_px2.shape == bank.innovation_covariances_px2.shape == (0, 2, 2)
+    assert bank.velocity_covariances.shape == bank.cross_covariances.shape == (0, 2, 2)
+    assert bank.velocity_noises.shape == (0, 2, 2)
     bank.predict(1)
     bank.correct(np.zeros((0, 2)))
     for slot in range(4):

@@ -138,3 +138,13 @@ def test_time_goes_on_in_what_is_refreshed() -> None:
     assert last.background is not None
     assert abs(int(last.background[60, 80, 0]) - 104) < 8
     assert last.detections.mask is not None and last.detections.mask.max() == 0
+
+
+def test_a_region_of_ones_own_is_equal_to_the_detectors() -> None:
+    kind = survtrack.RegionKind.predicted
+    region = survtrack.Region(survtrack.Box(1, 2, 3, 4), kind, 5)
+    assert (list(region.box), region.kind, region.track_id) == ([1, 2, 3, 4], kind, 5)
+    assert region == survtrack.Region(survtrack.Box(1, 2, 3, 4), kind, track_id=5)
+    assert region != survtrack.Region(survtrack.Box(1, 2, 3, 4), kind)
+    with pytest.raises(survtrack.InputError, match="track_id: -1 is not allowed"):
+        survtrack.Region(survtrack.Box(1, 2, 3, 4), kind, -1)

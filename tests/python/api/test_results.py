@@ -104,6 +104,10 @@ def test_arrays_say_the_same_as_objects(results: list[survtrack.FrameResult]) ->
             expected += (track.age_frames, track.matched_frames, track.lost_frames, track.group)
             assert tuple(row) == expected
             assert P.shape == (2, 2) and P[0, 1] == P[1, 0] and np.linalg.eigvalsh(P).min() > 0
+            C = track.position_velocity_covariance_px2_per_s
+            V = track.velocity_covariance_px2_per_s2
+            assert np.linalg.eigvalsh(np.block([[P, C], [C.T, V]])).min() > 0
+            assert (track.velocity_noise_px2_per_s3.diagonal() > 0).all()
         for row, one in zip(result.detection_array, result.detections, strict=True):
             M = one.moments_px2
             expected = (*one.box, *one.position, one.area_px, *one.mean_color)

@@ -26,9 +26,12 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def track_values(track: survtrack.Track) -> Values:
-    P = track.position_covariance_px2
+    P, V = track.position_covariance_px2, track.velocity_covariance_px2_per_s2
+    q = track.velocity_noise_px2_per_s3
     values: Values = ["track", track.id, track.status.value, track.reported, *track.box]
     values += [*track.position, *track.velocity_px_per_s, P[0, 0], P[0, 1], P[1, 1]]
+    values += [V[0, 0], V[0, 1], V[1, 1], *track.position_velocity_covariance_px2_per_s.ravel()]
+    values += [q[0, 0], q[0, 1], q[1, 1]]
     values += [*track.predicted_position, *track.mean_color, track.detection]
     return [*values, track.age_frames, track.matched_frames, track.lost_frames]
 

@@ -13,7 +13,9 @@ import cv2
 import numpy as np
 import pytest
 
+import survtrack
 from clips import walking_square, write_images, write_video
+from survtrack import RegionKind
 from survtrack.cli.main import main
 from survtrack.replay import read_track_stream
 
@@ -270,10 +272,47 @@ def test_what_is_no_stream(clip: Path, tmp_path: Path, capsys: pytest.CaptureFix
 
 
 @pytest.mark.parametrize("source", ["video/vtest.avi", "caviar/Walk1/input"])
+@pytest.mark.parametrize("regions", ["none", "predicted"])
 def test_public_footage_takes_a_thousandth_of_its_raw_bytes(
-    data: Path, tmp_path: Path, source: str, capsys: pytest.CaptureFixture[str]
+    data: Path, tmp_path: Path, source: str, regions: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     args = [str(data / source), "--limit", "150", "--out", str(tmp_path), "--stream", "-q"]
-    assert main(["run", *args]) == 0
+    assert main(["run", *args, "--set", f"regions.model={regions}"]) == 0
     facts = facts_of(capsys, tmp_path / "tracks.svt")
     assert facts["tracks"] >= 1 and facts["raw_ratio"] > 1000
+    frames = read_track_stream(tmp_path / "tracks.svt").frames
+    assert any(frame.regions for frame in frames) == (regions == "predicted")
+
+
+def test_the_stream_has_what_the_detector_read_and_the_replay_draws_it(
+    clip: Path, tmp_path: Path
+) -> None:
+    args = ["--out", str(tmp_path), "--stream", "-q", "--set", "regions.model=predicted"]
+    assert main(["run", str(clip), *args, "--set", "regions.whole_above=1"]) == 0
+    frames = read_track_stream(tmp_path / "tracks.svt").frames
+    config = survtrack.Config.from_toml((tmp_path / "config.toml").read_text())
+    boxes = []
+    for (_, result), frame in zip(survtrack.track(clip, config=config), frames, strict=True):
+        parts = [each for each in result.regions if each.kind is not RegionKind.whole_frame]
+        assert len(frame.regions) == (len(result.regions) if parts else 0)
+        for got, read in zip(frame.regions, result.regions, strict=False):
+            assert (got.kind, got.track_id) == (read.kind, read.track_id)
+            ends = (got.box.x, got.box.x + got.box.width)
+            assert ends == (np.floor(read.box.x), np.ceil(read.box.x + read.box.width))
+        boxes.append([each.box for each in parts if each.track_id == 1])
+    assert sum(map(bool, boxes)) > 20
+    out = tmp_path / "replay.mp4"
+    assert replay(tmp_path / "tracks.svt", "--out", out, "-q") == 0
+    [box] = boxes[51]  # what is looked at next of frame 50, magenta
+    column = pictures_of(out)[50][30:70, max(0, int(box.x) - 1) : int(box.x) + 2].astype(int)
+    assert (column[..., [0, 2]].min(axis=2) - column[..., 1]).max() > 60
+
+
+@pytest.mark.parametrize(
+    ("settings", "damping_s"), [([], 2.0), (["--set", "filter.lost_damping_time=0"], None)]
+)
+def test_the_stream_says_how_lost_tracks_are_damped(
+    clip: Path, tmp_path: Path, settings: list[str], damping_s: float | None
+) -> None:
+    assert main(["run", str(clip), "--out", str(tmp_path), "--stream", "-q", *settings]) == 0
+    assert read_track_stream(tmp_path / "tracks.svt").header.lost_damping_s == damping_s

@@ -8,14 +8,16 @@ import numpy as np
 import pytest
 
 from clips import Image
-from survtrack import Box, TrackStatus
+from survtrack import Box, RegionKind, TrackStatus
 from survtrack.drawing import color_of_id
 from survtrack.drawing.paper import lines_between, nice_step, plain_ground
 from survtrack.drawing.plan import Extent, PlanView
+from survtrack.drawing.regions import COLORS
 from survtrack.drawing.replay import FILTERED, MEASURED, OverView
 from survtrack.errors import InputError
 from survtrack.replay import GroundMap, StreamFrame, StreamTrack, predicted
 from survtrack.replay.filling import Shown
+from track_streams import region
 
 SIZE = (320, 240)
 
@@ -29,6 +31,7 @@ def track(x: float, y: float, track_id: int = 1, **more: Any) -> StreamTrack:
         "position": (x, y),
         "velocity_px_per_s": (50.0, 0.0),
         "covariance_px2": (4.0, 0.0, 4.0),
+        "rate_covariance": (100.0, 0.0, 100.0),
     }
     return StreamTrack(**{**values, **more})
 
@@ -60,10 +63,28 @@ def test_without_a_next_measurement_nothing_is_red() -> None:
     assert not len(pixels(OverView(SIZE)(Shown(StreamFrame(0, 0.0), None)), FILTERED))
 
 
+def test_regions_of_the_next_frame_are_magenta_and_those_of_newcomers_orange() -> None:
+    read = (
+        region(RegionKind.acquisition, 0, 30, 320, 20),
+        region(RegionKind.predicted, 140, 90, 60, 70, 1),
+        region(RegionKind.refresh, 0, 200, 320, 15),
+    )
+    frame = StreamFrame(0, 0.0, (track(160, 120),))
+    scene = OverView(SIZE)(Shown(frame, StreamFrame(1, 0.1, regions=read)))
+    magenta, orange = (pixels(scene, COLORS[kind]) for kind in ("predicted", "acquisition"))
+    magenta = magenta[magenta[:, 1] < 200]  # above the caption
+    assert (magenta.min(axis=0).tolist(), magenta.max(axis=0).tolist()) == ([140, 90], [199, 159])
+    assert 230 < len(magenta) <= 2 * 60 + 2 * 68  # one px wide; the id's label is over it
+    assert (orange.min(axis=0).tolist(), orange.max(axis=0).tolist()) == ([0, 30], [319, 49])
+    assert (scene[200] == COLORS["refresh"]).all(axis=1).sum() < 20, "the strip is left out"
+    looked_at = Shown(StreamFrame(0, 0.0, (track(160, 120),), regions=read), StreamFrame(1, 0.1))
+    assert not len(pixels(OverView(SIZE)(looked_at), COLORS["predicted"])), "of the next frame only"
+
+
 def test_what_is_lost_or_predicted_is_dashed() -> None:
     seen = shown(track(160, 120))
     lost = shown(track(160, 120, status=TrackStatus.lost))
-    later = Shown(predicted(seen.frame, 0.2, period_s=0.1), None)
+    later = Shown(predicted(seen.frame, 0.2), None)
     counts = [len(pixels(OverView(SIZE)(each), FILTERED)) for each in (seen, lost, later)]
     assert counts[1] < 0.8 * counts[0] and counts[2] < 0.8 * counts[0]
     moved = pixels(OverView(SIZE)(later), FILTERED)
@@ -74,14 +95,14 @@ def test_a_prediction_is_less_certain_and_says_so() -> None:
     frame = StreamFrame(0, 0.0, (track(160, 120, velocity_px_per_s=(0.0, 0.0)),))
     ends = []
     for time_s in (0.0, 0.6, 1.2):
-        at = predicted(frame, time_s, period_s=0.1)
+        at = predicted(frame, time_s)
         picture = OverView(SIZE)(Shown(at, None))
         blank = OverView(SIZE)(Shown(StreamFrame(0, time_s, (), at.predicted_s), None))
         row = (picture[120] != blank[120]).any(axis=1)
         row[[149, 150, 151, 169, 170, 171]] = False  # the box
         ends.append(int(np.flatnonzero(row).max()))
-    # 2.448 standard deviations: 2 px, and 6 and 12 periods later by 1 + 3^2 and 1 + 6^2.
-    wanted = [160 + 2.448 * 2 * factor**0.5 for factor in (1, 10, 37)]
+    # 2.448 standard deviations: variances of 4 px^2 and of 100 px^2/s^2 times t^2.
+    wanted = [160 + 2.448 * (4 + 100 * time_s**2) ** 0.5 for time_s in (0.0, 0.6, 1.2)]
     assert ends == pytest.approx(wanted, abs=1.6)
 
 
@@ -93,7 +114,7 @@ def test_trails_go_through_recorded_places_only() -> None:
     color = np.array(color_of_id(1))
     near = (np.abs(scene[120, 42:168].astype(int) - color) < 60).all(axis=1)
     assert near.mean() > 0.9
-    astray = predicted(frames[-1], 1.0, period_s=0.1)
+    astray = predicted(frames[-1], 1.0)
     view(Shown(astray, None))
     back = view(Shown(StreamFrame(9, 1.1, (track(180, 80),)), None))
     assert not (back[115:, 200:310] == color_of_id(1)).all(axis=2).any()
@@ -118,6 +139,8 @@ def test_any_state_can_be_drawn(size: tuple[int, int], value: float) -> None:
     there = track(value, -value, covariance_px2=(value * value, 0.0, 2.0**80))
     box = Box(value, value, abs(value), abs(value))
     each = shown(there, track(1, 1, 2, box=box), then=(track(3, 3, 2, measured=box),))
+    read = (region(RegionKind.predicted, value, 0, abs(value), 1e10),)
+    each = Shown(each.frame, StreamFrame(1, 0.1, regions=read))
     for view in (OverView(size), plan_of(size, each.frame)):
         assert (view(each) == view(each)).all()
 

@@ -117,6 +117,9 @@ def test_records_that_no_encoder_wrote_give_damage_or_sound_frames(records: list
         for track in frame.tracks:
             assert 0 < track.id <= 2**53 and abs(track.position[0]) <= 2**36
             assert track.box.width >= 0 and track.covariance_px2[0] >= 0
+        for each in frame.regions:
+            assert 0 <= each.box.x < each.box.x + each.box.width <= 64
+            assert 0 <= each.box.y < each.box.y + each.box.height <= 48
 
 
 FLAGS_AND_PLACE = bytes([1, 0, 0])
@@ -127,8 +130,21 @@ FLAGS_AND_PLACE = bytes([1, 0, 0])
     [
         (b"\0\0", "ends within a number"),
         (b"\0\0\x05" + b"\0" * 8, "5 tracks cannot be in 8 bytes"),
-        (b"\0\0\0\0", r"1 byte\(s\) are left over"),
-        (b"\0\0\x01\0\x40\0\0", "the flags 0x40 are none of version 1"),
+        (b"\0\0\0\0\0", r"0 regions cannot be in 1 bytes"),
+        (b"\0\0\0\x08\0\0\0", r"4 regions cannot be in 3 bytes"),
+        (b"\0\0\0\x02\x06\0\0\2\2\0", r"1 byte\(s\) are left over"),
+        (b"\0\0\0\x02\x0e\0\0\2\2", "the flags 0x0e of a region are none of version 2"),
+        (b"\0\0\0\x02\x04\0\0\2\2", "the flags 0x04 of a region are none of version 2"),
+        (b"\0\0\0\x02\x02", "a region is out of bounds"),
+        (b"\0\0\0\x02\x06\1\0\2\2", "a region is out of bounds"),
+        (b"\0\0\0\x02\x06\0\0\2\0", "a region is out of bounds"),
+        (b"\0\0\0\x02\x06\0\0\x82\1\2", "a region is out of bounds"),
+        (b"\0\0\0\x02\x05" + b"\xff" * 7 + b"\x7f\0\0\2\2", "a region is out of bounds"),
+        (b"\0\0\0\x02\x05\1\0\0\2", "ends within a number"),
+        (b"\0\0\x01\0\x80\0\0", "the flags 0x80 are none of version 2"),
+        (b"\0\0\x01\0\x40\0\0\x80\x08", "the mask 0x400 is none of version 2"),
+        (b"\0\0\x01\0\x40\0\0\x04\x42", "track 1 is out of bounds"),
+        (b"\0\0\x01\0\x40\0\0\x80\x04\x42", "track 1 is out of bounds"),
         (b"\0\0\x01\0\x08\0\0\x01\0\0\0", "track 1 is out of bounds"),
         (b"\0\0\x01\0\x20\0\0\0\0\x7f", "track 1 is out of bounds"),
         (b"\0\0\x01" + b"\xff" * 7 + b"\x7f" + FLAGS_AND_PLACE, "is out of bounds"),
@@ -184,13 +200,14 @@ def test_a_long_claim_takes_no_memory() -> None:
         (b"", "x.svt: is empty"),
         (b"frame,time_s\n1,0\n", "x.svt: is no track stream: it begins with b'frame,ti'"),
         (b"\x89PNG\r\n\x1a\n", "x.svt: is no track stream: it begins with b'.*PNG"),
-        (b"\x89SVT\n\x1a\n\x01", "x.svt: is no track stream"),
-        (b"\x89SVT\r\n\x1a\n\x02", "x.svt: is a track stream of version 2; this survtrack reads v"),
-        (b"\x89SVT\r\n\x1a\n\x01", "x.svt: is cut in its header; it holds no frames"),
+        (b"\x89SVT\n\x1a\n\x02", "x.svt: is no track stream"),
+        (b"\x89SVT\r\n\x1a\n\x03", "x.svt: is a track stream of version 3; this survtrack reads v"),
+        (b"\x89SVT\r\n\x1a\n\x01", "is a track stream of version 1; .* version 2: `survtrack run"),
+        (b"\x89SVT\r\n\x1a\n\x02", "x.svt: is cut in its header; it holds no frames"),
         (b"\x89SV", "x.svt: is cut in its header; it holds no frames"),
-        (b"\x89SVT\r\n\x1a\n\x01" + b"\xff" * 9, "its header is damaged: a number has more than"),
-        (b"\x89SVT\r\n\x1a\n\x01\xff\x7f", "its header is damaged: it would have 16383 bytes"),
-        (b"\x89SVT\r\n\x1a\n\x01\0\0\0\0\0", "its header is damaged: its checksum is wrong"),
+        (b"\x89SVT\r\n\x1a\n\x02" + b"\xff" * 9, "its header is damaged: a number has more than"),
+        (b"\x89SVT\r\n\x1a\n\x02\xff\x7f", "its header is damaged: it would have 16383 bytes"),
+        (b"\x89SVT\r\n\x1a\n\x02\0\0\0\0\0", "its header is damaged: its checksum is wrong"),
     ],
 )
 def test_foreign_files_are_told_in_words(tmp_path: Path, data: bytes, words: str) -> None:
@@ -205,14 +222,18 @@ def test_foreign_files_are_told_in_words(tmp_path: Path, data: bytes, words: str
 @pytest.mark.parametrize(
     ("body", "words"),
     [
-        (bytes([64, 48, 10, 1, 16, 4, 8]), "its header is damaged: it ends within a number"),
-        (bytes([64, 48, 10, 1, 16, 4, 8, 32, 1]), r"its header is damaged: 1 byte\(s\) are left"),
-        (bytes([64, 0, 10, 1, 16, 4, 8, 32]), "its header's height_px is 0; 1 to 16777216"),
-        (bytes([64, 48, 10, 1, 16, 0, 8, 32]), "its header's steps_per_px_per_s is 0; 1 to"),
+        (bytes([64, 48, 10, 1, 16, 4, 8, 32]), "its header is damaged: it ends within a number"),
+        (bytes([64, 48, 10, 1, 16, 4, 8, 32, 0, 1]), r"is damaged: 1 byte\(s\) are left"),
+        (bytes([64, 0, 10, 1, 16, 4, 8, 32, 0]), "its header's height_px is 0; 1 to 16777216"),
+        (bytes([64, 48, 10, 1, 16, 0, 8, 32, 0]), "its header's steps_per_px_per_s is 0; 1 to"),
+        (
+            bytes([64, 48, 10, 1, 16, 4, 8, 32]) + b"\xff" * 8 + b"\x7f",
+            "its header's lost_damping_ticks is 9223372036854775807; 0 to 9007199254740992",
+        ),
     ],
 )
 def test_headers_that_no_encoder_wrote(body: bytes, words: str) -> None:
-    data = b"\x89SVT\r\n\x1a\n\x01" + bytes([len(body)]) + body
+    data = b"\x89SVT\r\n\x1a\n\x02" + bytes([len(body)]) + body
     with pytest.raises(InputError, match=words):
         decoded(data + zlib.crc32(data).to_bytes(4, "little"))
 

@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given, settings
 
 from fakes import Box, Detection, Result, Status, Track
-from survtrack import TrackStatus
+from survtrack import RegionKind, TrackStatus
 from survtrack.errors import InputError, UsageError
-from survtrack.replay import StreamHeader, StreamTrack, TrackStreamEncoder
+from survtrack.replay import StreamFrame, StreamHeader, StreamTrack, TrackStreamEncoder
 from track_stream_reference import read
-from track_streams import FPS, decoded, pieces, result_at, runs, stream, walk
+from track_streams import FPS, decoded, pieces, region, result_at, runs, stream, walk
 
 settings.register_profile("streams", deadline=None, derandomize=True, max_examples=100)
 settings.load_profile("streams")
@@ -43,7 +43,30 @@ def assert_same(got: StreamTrack, track: Track, result: Result) -> None:
     assert (got.measured is None) == (measured is None)
     if measured is not None:
         assert_near(got.measured, measured)
-    assert_same_spread(got.position_covariance_px2, track.position_covariance_px2)
+    for name in (
+        "position_covariance_px2",
+        "velocity_covariance_px2_per_s2",
+        "velocity_noise_px2_per_s3",
+    ):
+        assert_same_spread(getattr(got, name), getattr(track, name))
+    assert_same_cross(got, track)
+
+
+def assert_same_cross(got: StreamTrack, track: Track) -> None:
+    """Correlations to half a step; none where either deviation is none."""
+    P, V = got.position_covariance_px2, got.velocity_covariance_px2_per_s2
+    for row in (0, 1):
+        for column in (0, 1):
+            scale = math.sqrt(P[row, row] * V[column, column])
+            cross = got.position_velocity_covariance_px2_per_s[row, column]
+            if scale == 0:
+                assert cross == 0
+                continue
+            true = track.position_velocity_covariance_px2_per_s[row, column] / math.sqrt(
+                track.position_covariance_px2[row, row]
+                * track.velocity_covariance_px2_per_s2[column, column]
+            )
+            assert abs(cross / scale - true) <= 1 / 64 + 1e-9
 
 
 def assert_same_spread(got: np.ndarray, true: np.ndarray) -> None:
@@ -59,6 +82,24 @@ def assert_same_spread(got: np.ndarray, true: np.ndarray) -> None:
     assert np.linalg.eigvalsh(got)[0] >= -1e-12 * got.max()
 
 
+def assert_same_regions(frame: StreamFrame, result: Result) -> None:
+    """The pixels that each region touches in the frame, in their order; the whole frame last."""
+    wanted, whole = [], []
+    for each in result.regions:
+        box = each.box
+        if each.kind is RegionKind.whole_frame:
+            whole = [(each.kind, 0, [0, 0, 64, 48])]
+            continue
+        left, top = max(0, math.floor(box.x)), max(0, math.floor(box.y))
+        right = min(64, math.ceil(box.x + box.width))
+        bottom = min(48, math.ceil(box.y + box.height))
+        if right > left and bottom > top:
+            sides = [left, top, right - left, bottom - top]
+            wanted.append((each.kind, each.track_id, sides))
+    wanted += whole if wanted else []
+    assert [(each.kind, each.track_id, [*each.box]) for each in frame.regions] == wanted
+
+
 @given(runs())
 def test_every_run_comes_back_within_half_a_step(results: list[Result]) -> None:
     frames, decoder = decoded(stream(results))
@@ -68,6 +109,7 @@ def test_every_run_comes_back_within_half_a_step(results: list[Result]) -> None:
         assert frame.time_s == pytest.approx(result.time_s, abs=5.1e-7, rel=1e-15)
         reported = {track.id: track for track in result.tracks if track.reported}
         assert [track.id for track in frame.tracks] == sorted(reported)
+        assert_same_regions(frame, result)
         for track in frame.tracks:
             assert_same(track, reported[track.id], result)
 
@@ -79,7 +121,7 @@ def test_a_reader_written_from_the_document_reads_the_same(results: list[Result]
     header, others = read(data)
     assert header == {
         **{"width": 64, "height": 48, "rate": 10_000, "ticks": 10**6},
-        **{"px": 16, "speed": 4, "octave": 8, "correlation": 32},
+        **{"px": 16, "speed": 4, "octave": 8, "correlation": 32, "damping": 0},
     }
     assert [(frame.index, frame.time_s) for frame in frames] == [
         (other["index"], other["time_s"]) for other in others
@@ -95,6 +137,12 @@ def test_a_reader_written_from_the_document_reads_the_same(results: list[Result]
             )
             assert track.covariance_px2 == pytest.approx(wanted["covariance"], rel=1e-12)
             assert (None if track.measured is None else [*track.measured]) == wanted["measured"]
+            assert track.rate_covariance == pytest.approx(wanted["rates"], rel=1e-12)
+            assert track.cross_covariance == pytest.approx(wanted["cross"], rel=1e-12)
+            assert track.rate_noise == pytest.approx(wanted["noise"], rel=1e-12)
+        parts = [each for each in frame.regions if each.kind is not RegionKind.whole_frame]
+        assert (len(parts) < len(frame.regions)) == other["whole"]
+        assert [(each.kind.value, each.track_id, [*each.box]) for each in parts] == other["regions"]
 
 
 def test_the_bytes_of_a_small_stream() -> None:
@@ -106,16 +154,29 @@ def test_the_bytes_of_a_small_stream() -> None:
     second = Track(3, Box(2.0625, 2, 4, 6), velocity_px_per_s=(10.0, 0.0), detection=0)
     second.position_covariance_px2 = covariance
     seen = Detection(Box(2.0625, 1.875, 4, 6))
-    results = [result_at(0, 0.0, first), result_at(1, 0.1, second, detections=[seen])]
+    for track in (first, second):
+        track.velocity_covariance_px2_per_s2 = np.diag([16.0, 1.0])
+        track.position_velocity_covariance_px2_per_s = np.diag([4.0, 0.5])
+        track.velocity_noise_px2_per_s3 = np.diag([0.0, 4.0])
+    looked = [
+        region(RegionKind.predicted, 60.25, -5, 100, 99, 3),
+        region(RegionKind.whole_frame, 0, 0, 64, 48),
+    ]
+    more = {"detections": [seen], "regions": looked}
+    results = [result_at(0, 0.0, first), result_at(1, 0.1, second, **more)]
     header, *records, end = (piece[:-4].hex() for piece in pieces(results))
-    # 64, 48, 10000, 1000000, 16, 4, 8, 32 as varints, 11 bytes of them.
-    assert header == "895356540d0a1a0a010b4030904ec0843d10040820"
-    # Index and time as foreseen, one track, id 3 - 0 - 1; confirmed, with shape, velocity, spread;
-    # position (3, 5) px = (48, 80); 64 x 96 steps, centred; 40 steps; 8 steps are one octave.
+    # 64, 48, 10000, 1000000, 16, 4, 8, 32, 0 as varints, 12 bytes of them.
+    assert header == "895356540d0a1a0a020c4030904ec0843d1004082000"
+    # Index and time as foreseen, one track, id 3 - 0 - 1; confirmed, with all five parts;
+    # position (3, 5) px = (48, 80); 64 x 96 steps, centred; 40 steps; 8 steps are one octave;
+    # 4 px/s are two octaves, correlations of a half are 16 steps; no noise in x, 2 px/s^1.5 in y:
+    # of the ten numbers the first (velocity, x), third and fourth (correlations), fifth and sixth.
     place, shape, velocity, spread = "60a001", "8001c0010000", "5000", "100000"
-    assert records[0] == "130000010239" + place + shape + velocity + spread
-    # It went 1 px in 0.1 s, as foreseen, and 1/16 px more; measured two steps higher.
-    assert records[1] == "0b0000010205020000030000"
+    motion = "3d" + "20" + "2020" + "ff0110"
+    assert records[0] == "1a0000010279" + place + shape + velocity + spread + motion
+    # It went 1 px in 0.1 s, as foreseen, and 1/16 px more; measured two steps higher. One region
+    # and the whole frame; predicted, moved; of track 3, at (60, 0), 4 x 48 px.
+    assert records[1] == "120000010205020000030000" + "03" + "0503" + "7800" + "0860"
     assert end == "00"
 
 
@@ -143,7 +204,8 @@ def test_the_same_run_gives_the_same_bytes_in_any_order_of_tracks(results: list[
 
 def test_beyond_the_bounds_is_written_as_the_bound() -> None:
     covariance = np.array([[1e300, -1e300], [-1e300, 1e300]])
-    track = Track(1, Box(-1e300, 1e300, 1e300, 1e300), position_covariance_px2=covariance)
+    many = [covariance, covariance, np.full((2, 2), -1e308), -covariance]
+    track = Track(1, Box(-1e300, 1e300, 1e300, 1e300), Status.confirmed, True, (0.0, 0.0), *many)
     track.velocity_px_per_s = (1e308, -1e308)
     [frame, again], decoder = decoded(stream([result_at(0, 0.0, track), result_at(1, 0.1, track)]))
     assert decoder.problem is None
@@ -151,7 +213,9 @@ def test_beyond_the_bounds_is_written_as_the_bound() -> None:
     for each in (frame.tracks[0], again.tracks[0]):
         assert [*each.box] == [-bound / 16, bound / 16, bound / 16, bound / 16]
         assert each.velocity_px_per_s == (bound / 4, -bound / 4)
-        assert each.covariance_px2 == (2.0**80, -(2.0**80), 2.0**80)
+        assert each.covariance_px2 == each.rate_covariance == (2.0**80, -(2.0**80), 2.0**80)
+        assert each.cross_covariance == (-(2.0**80),) * 4
+        assert each.rate_noise == (0, 0, 0)  # variances below 0 are none
 
 
 NAN, INF = float("nan"), float("inf")
@@ -166,6 +230,12 @@ NAN, INF = float("nan"), float("inf")
         ({"velocity_px_per_s": (0.0, -INF)}, "track 4: its velocity holds -inf"),
         ({"position_covariance_px2": np.full((2, 2), NAN)}, r"covariance_px2 is \[nan, nan, nan\]"),
         ({"position_covariance_px2": -np.eye(2)}, r"covariance_px2 is \[-1.0, -0.0, -1.0\]"),
+        (
+            {"velocity_covariance_px2_per_s2": np.full((2, 2), INF)},
+            r"track 4: its velocity_covariance_px2_per_s2 is \[\[inf, inf\], \[inf, inf\]\]",
+        ),
+        ({"position_velocity_covariance_px2_per_s": np.full((2, 2), NAN)}, "_per_s is .*nan"),
+        ({"velocity_noise_px2_per_s3": np.diag([1.0, NAN])}, "_per_s3 is .*nan"),
         ({"id": 0}, "track 0: ids from 1"),
         ({"id": -3}, "track -3: ids from 1"),
     ],
@@ -198,6 +268,26 @@ def test_index_and_time_must_rise(index: int, time_s: float) -> None:
 def test_a_rate_out_of_bounds_is_refused(fps: float) -> None:
     with pytest.raises(UsageError, match="frames/s is not allowed"):
         TrackStreamEncoder((64, 48), fps=fps)
+
+
+@pytest.mark.parametrize("damping_s", [-1e-9, NAN, INF, 2e9])
+def test_a_damping_out_of_bounds_is_refused(damping_s: float) -> None:
+    with pytest.raises(UsageError, match=f"lost_damping: {damping_s} s is not allowed; 0 to 1e9"):
+        TrackStreamEncoder((64, 48), fps=FPS, lost_damping_s=damping_s)
+
+
+@pytest.mark.parametrize(
+    ("given", "read"), [(None, None), (0.0, 1e-6), (1e-9, 1e-6), (0.8, 0.8), (1e9, 1e9)]
+)
+def test_the_header_has_the_damping(given: float | None, read: float | None) -> None:
+    frames, decoder = decoded(b"".join(pieces([], lost_damping_s=given)))
+    assert frames == [] and decoder.header is not None
+    assert decoder.header.lost_damping_s == read
+
+
+def test_a_damping_that_no_filter_has_is_none() -> None:
+    assert StreamHeader(1, 1, 1, ticks_per_s=1, lost_damping_ticks=2**53).lost_damping_s is None
+    assert StreamHeader(1, 1, 1, ticks_per_s=1, lost_damping_ticks=10**9).lost_damping_s == 1e9
 
 
 def test_a_size_out_of_bounds_is_refused() -> None:

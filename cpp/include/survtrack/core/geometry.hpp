@@ -27,6 +27,20 @@ struct Symmetric2 {
   friend bool operator==(const Symmetric2& a, const Symmetric2& b) {
     return a.xx == b.xx && a.xy == b.xy && a.yy == b.yy;
   }
+  friend Symmetric2 operator*(double s, const Symmetric2& m) { return {s * m.xx, s * m.xy, s * m.yy}; }
+};
+
+/// A 2x2 matrix over (x, y) that need not be symmetric: rows of the first, columns of the second; a cross covariance.
+struct Matrix2 {
+  double xx = 0.0;
+  double xy = 0.0;
+  double yx = 0.0;
+  double yy = 0.0;
+
+  friend bool operator==(const Matrix2& a, const Matrix2& b) {
+    return a.xx == b.xx && a.xy == b.xy && a.yx == b.yx && a.yy == b.yy;
+  }
+  friend Matrix2 operator*(double s, const Matrix2& m) { return {s * m.xx, s * m.xy, s * m.yx, s * m.yy}; }
 };
 
 /// A mean colour, 0 to 255 a channel; a grey image has three equal channels.

@@ -27,6 +27,10 @@ struct Track {
   Point position;         ///< px, estimated position in this frame
   Point velocity_px_per_s;
   Symmetric2 position_covariance_px2;
+  // Of what is predicted: see Estimate for the filters that know less. All zero with `mean_velocity`.
+  Symmetric2 velocity_covariance_px2_per_s2;
+  Matrix2 position_velocity_covariance_px2_per_s;  ///< rows: of the position
+  Symmetric2 velocity_noise_px2_per_s3;  ///< process noise: what the velocity's covariance gains in a second
   Point predicted_position;  ///< px, where this frame's detection was expected
   Color mean_color;          ///< of the detection last matched
   int detection = -1;        ///< this frame's matched detection, or that of its group; -1: none

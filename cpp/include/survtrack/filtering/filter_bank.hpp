@@ -14,11 +14,19 @@
 
 namespace survtrack {
 
-/// Where a filter believes its object to be. Times in the config's time unit.
+/// Where a filter believes its object to be. Times in the config's time unit. All covariances are zero for filters without
+/// one (`mean_velocity`); of `kalman_path` they are turned from the path's directions at the estimated place, as the
+/// velocity is.
 struct Estimate {
-  Point position;              ///< px
-  Point velocity;              ///< px per time unit
-  Symmetric2 covariance_px2;   ///< of the position; zero for filters without one
+  Point position;                ///< px
+  Point velocity;                ///< px per time unit
+  Symmetric2 covariance_px2;     ///< of the position
+  Symmetric2 velocity_covariance;  ///< px^2 per time unit^2
+  Matrix2 cross_covariance;      ///< of position (rows) and velocity (columns), px^2 per time unit
+  /// Density q of the process noise in the velocity, px^2 per time unit^3: over a time t it adds t q to the velocity's
+  /// covariance and, by way of that, t^3 / 3 q to the position's. Of `kalman_discrete` and `kalman_path` the share of a
+  /// time unit in their noise of a step. Zero for `kalman_ca` with continuous noise, which is in the acceleration.
+  Symmetric2 velocity_noise;
 };
 
 struct BoxSize {

@@ -36,6 +36,7 @@ class PathBank final : public FilterBank {
   void check_frame_size(int width, int height) const override;
   bool accepts(const Point& measured) const override { return nearest_path(measured) >= 0; }
   Estimate estimate(int slot) const override;
+  Point predicted_position(int slot) const override { return path_of(slot).to_image(place(slot)); }
   Point innovation(int slot, const Point& measured) const override;
   using FilterBank::innovation_covariance_px2;
   Symmetric2 innovation_covariance_px2(int slot, const Symmetric2& extra_px2) const override;
