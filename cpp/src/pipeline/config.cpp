@@ -43,66 +43,6 @@ Json parse_json(const std::string& text, const std::string& source) {
   }
 }
 
-/// Options that would do nothing: contacts that are kept for ever do not end, and only those may start anew.
-void check_contacts(const CountMedianOptions& contacts, const ReentryOptions& reentry) {
-  if (contacts.restart_after_s > 0.0 && !contacts.keep_contacts) {
-    throw ConfigError("lifecycle.restart_after_s: " + options_json::Json(contacts.restart_after_s).dump() +
-                      " needs contacts that are kept, and lifecycle.keep_contacts is false; "
-                      "expected lifecycle.keep_contacts true, or 0");
-  }
-  if (contacts.keep_contacts && std::holds_alternative<RememberOptions>(reentry)) {
-    throw ConfigError("reentry.model: \"remember\" needs tracks that end, and lifecycle.keep_contacts is true; "
-                      "expected lifecycle.keep_contacts false, or reentry.model none");
-  }
-}
-
-template <class Options, class = void>
-struct reads_regions : std::false_type {};
-template <class Options>
-struct reads_regions<Options, std::void_t<decltype(Options::reads_regions)>> : std::bool_constant<Options::reads_regions> {};
-
-template <class Variant>
-struct ModelsThatRead;
-template <class... Options>
-struct ModelsThatRead<std::variant<Options...>> {
-  static std::string names() {
-    std::string names;
-    const auto add = [&](const char* name, bool reads) {
-      if (reads) names += (names.empty() ? "" : " or ") + std::string(name);
-    };
-    (add(Options::model, reads_regions<Options>::value), ...);
-    return names;
-  }
-};
-
-struct CheckReadsRegions {
-  template <class Options>
-  void operator()(const Options&) const {
-    if constexpr (!reads_regions<Options>::value) {
-      throw ConfigError("regions.model: \"predicted\" needs a background model that can read parts of a frame, and segmenter.model is \"" +
-                        std::string(Options::model) + "\"; expected segmenter.model " + ModelsThatRead<SegmenterOptions>::names() +
-                        ", or regions.model none");
-    }
-  }
-};
-
-void check_regions(const PredictedRegionsOptions& regions, const Config& config) {
-  std::visit(CheckReadsRegions{}, config.segmenter);
-  if (regions.acquisition == Acquisition::strip && regions.refresh_frames == 0) {
-    throw ConfigError("regions.refresh_frames: 0 reads no strip, and regions.acquisition is \"strip\": newcomers would never be seen; "
-                      "expected 1 or more, or another regions.acquisition");
-  }
-  if (std::holds_alternative<MeanVelocityOptions>(config.filter)) {
-    throw ConfigError("regions.model: \"predicted\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
-                      "expected another filter.model, or regions.model none");
-  }
-  const auto* discrete = std::get_if<KalmanDiscreteOptions>(&config.filter);
-  if (discrete != nullptr && discrete->covariances == Covariances::as_published) {
-    throw ConfigError("regions.model: \"predicted\" needs a covariance, and filter.covariances is \"as_published\"; "
-                      "expected filter.covariances checked, or regions.model none");
-  }
-}
-
 constexpr const char* default_preset = "survtrack";
 
 }  // namespace
@@ -159,53 +99,6 @@ void Config::set(const std::string& option_and_value) {
 }
 
 std::string Config::to_json() const { return options_json::struct_to_json(*this).dump(2); }
-
-const Config& Config::check() const {
-  check_fields(*this);
-  check_tiling(cleanup.tiling, "cleanup.tiling");
-  check_filter(filter, "filter");
-  if (std::holds_alternative<MeanVelocityOptions>(filter) && std::holds_alternative<GaussianCostOptions>(cost)) {
-    throw ConfigError("cost.model: \"gaussian\" needs a filter with a covariance, and filter.model is \"mean_velocity\"; "
-                      "expected cost.model match_matrix, belief or distance, or another filter.model");
-  }
-  const auto* discrete = std::get_if<KalmanDiscreteOptions>(&filter);
-  if (discrete != nullptr && discrete->covariances == Covariances::as_published &&
-      std::holds_alternative<GaussianCostOptions>(cost)) {
-    throw ConfigError("cost.model: \"gaussian\" needs a covariance, and filter.covariances is \"as_published\"; expected "
-                      "cost.model match_matrix, belief or distance, or filter.covariances checked");
-  }
-  if (std::holds_alternative<KalmanBoxOptions>(filter) && !std::holds_alternative<BoxCenterOptions>(measurement)) {
-    throw ConfigError("measurement.model: \"centroid\" measures no box, and filter.model is \"kalman_box\"; expected "
-                      "measurement.model box_center, or another filter.model");
-  }
-  const auto* close = std::get_if<CloseMergeOptions>(&blobs.merge);
-  const bool has_grid = std::holds_alternative<GridVicinityOptions>(vicinity);
-  if (close != nullptr && close->vicinity_scaled && !has_grid) {
-    throw ConfigError("blobs.merge.vicinity_scaled: true needs a vicinity grid, and vicinity.model is \"none\"; "
-                      "expected vicinity.model grid, or false");
-  }
-  if (outputs.vicinity && !has_grid) {
-    throw ConfigError("outputs.vicinity: true needs a vicinity grid, and vicinity.model is \"none\"; "
-                      "expected vicinity.model grid, or false");
-  }
-  if (outputs.background && std::holds_alternative<HornSchunckOptions>(segmenter)) {
-    throw ConfigError("outputs.background: true needs a background picture, and segmenter.model is \"horn_schunck\"; "
-                      "expected another segmenter.model, or false");
-  }
-  if (outputs.flow && !std::holds_alternative<HornSchunckOptions>(segmenter)) {
-    throw ConfigError("outputs.flow: true needs a flow field, and segmenter.model is another; "
-                      "expected segmenter.model horn_schunck, or false");
-  }
-  if (const auto* predicted = std::get_if<PredictedRegionsOptions>(&regions)) check_regions(*predicted, *this);
-  if (const auto* colors = std::get_if<ColorHistogramOptions>(&appearance)) {
-    if (colors->weight == 0.0 && colors->min_intersection == 0.0) {
-      throw ConfigError("appearance.weight: 0 changes nothing with appearance.min_intersection 0; expected one of them above 0, "
-                        "or appearance.model none");
-    }
-  }
-  if (const auto* contacts = std::get_if<CountMedianOptions>(&lifecycle)) check_contacts(*contacts, reentry);
-  return *this;
-}
 
 std::vector<std::string> preset_names() {
   std::vector<std::string> names = {default_preset};

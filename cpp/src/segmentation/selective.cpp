@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
-#include "core/simd.hpp"
-#include "segmentation/pixel_rect.hpp"
+#include "segmentation/kept_places.hpp"
 #include "segmentation/selective_kernels.hpp"
+#include "segmentation/selective_memory.hpp"
 #include "survtrack/core/checks.hpp"
 
 namespace survtrack {
@@ -30,6 +31,8 @@ constexpr double least_absorb_s = 0.5;
 constexpr double absorb_part_of_age = 0.5;
 // In update times: younger backgrounds are shown whole frames.
 constexpr double young_updates = 2.0;
+// Rows from where is read to where memory is asked for.
+constexpr int ahead = 2;
 
 int in_q(int bits, double value) { return static_cast<int>(std::lround(std::ldexp(value, bits))); }
 
@@ -40,7 +43,7 @@ class SelectiveSegmenter final : public Segmenter {
   bool reads_regions() const override { return true; }
   /// While the background is young each pixel's own mean is still forming, and what the first frame held by chance fades.
   bool needs_whole_frame() const override {
-    return channels_ == 0 || previous_s_ - start_s_ < young_updates * options_.update_time_s;
+    return memory_.channels() == 0 || previous_s_ - start_s_ < young_updates * options_.update_time_s;
   }
 
   void segment(const cv::Mat& frame, const Expectation& expectation, cv::Mat& mask,
@@ -52,8 +55,8 @@ class SelectiveSegmenter final : public Segmenter {
   void segment_regions(const cv::Mat& frame, const Expectation& expectation, const ReadPlan& plan, cv::Mat& mask,
                        std::vector<Event>& events) override {
     check_image(frame);
-    if (channels_ != 0) check_same_format(frame, size_, channels_);
-    check_time(expectation.time_s, channels_ != 0 ? std::optional(previous_s_) : std::nullopt);
+    if (memory_.channels() != 0) check_same_format(frame, memory_.size(), memory_.channels());
+    check_time(expectation.time_s, memory_.channels() != 0 ? std::optional(previous_s_) : std::nullopt);
     if (frame.channels() == 3) {
       segment_channels<3>(frame, expectation, plan, mask, events);
     } else {
@@ -63,37 +66,28 @@ class SelectiveSegmenter final : public Segmenter {
   }
 
   void background(cv::Mat& picture) const override {
-    if (channels_ == 0) {
+    if (memory_.channels() == 0) {
       picture.release();
-      return;
-    }
-    picture.create(size_, CV_8UC(channels_));
-    for (int y = 0; y < size_.height; ++y) {
-      const std::int16_t* const levels = levels_.data() + offset(y, channels_ + 1);
-      auto* const pixels = picture.ptr<std::uint8_t>(y);
-      for (int x = 0; x < size_.width; ++x) {
-        for (int c = 0; c < channels_; ++c) {
-          pixels[x * channels_ + c] = static_cast<std::uint8_t>(kernels::rounded_level(levels[c * size_.width + x]));
-        }
-      }
+    } else {
+      memory_.background(picture);
     }
   }
 
-  void reset() override { channels_ = 0; }
+  void reset() override { memory_.forget(); }
 
  private:
   template <int channels>
   void segment_channels(const cv::Mat& frame, const Expectation& expectation, const ReadPlan& plan, cv::Mat& mask,
                         std::vector<Event>& events) {
     mask.create(frame.size(), CV_8UC1);
-    if (channels_ == 0) {
-      allocate(frame.size(), channels);
+    if (memory_.channels() == 0) {
+      memory_.allocate(frame.size(), channels);
       start<channels>(frame, expectation.time_s, mask);
       return;
     }
-    find_kept(expectation.keep);
+    kept_.set(expectation.keep, frame.size());
     const double differing = step<channels>(frame, plan, expectation.time_s, mask);
-    const double part = differing / (static_cast<double>(size_.width) * size_.height);
+    const double part = differing / (static_cast<double>(frame.cols) * frame.rows);
     // Of a frame read in parts nobody knows the rest: the detector looks at the next one whole.
     if (!plan.whole() || part <= options_.scene_change_fraction) return;
     start<channels>(frame, expectation.time_s, mask);
@@ -103,23 +97,11 @@ class SelectiveSegmenter final : public Segmenter {
                  " % of the frame differ from the background, which starts anew from this frame.";
   }
 
-  void allocate(const cv::Size& size, int channels) {
-    size_ = size;
-    channels_ = channels;
-    const auto area = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    const auto planes = static_cast<std::size_t>(channels);
-    // A block more, of which nothing is used: see SelectiveRow.
-    levels_.resize(area * (planes + 1) + kernels::selective_block);
-    candidates_.resize(area * planes + kernels::selective_block);
-    ages_ms_.resize(area + kernels::selective_block);
-    colors_.resize(planes * color_stride());
-  }
-
   template <int channels>
   void start(const cv::Mat& frame, double time_s, cv::Mat& mask) {
     start_s_ = time_s;
     unlearned_s_ = 0.0;
-    for (int y = 0; y < size_.height; ++y) kernels::selective_start(row<channels>(frame, mask, y, 0, size_.width));
+    for (int y = 0; y < frame.rows; ++y) kernels::selective_start(memory_.row<channels>(frame, mask, y, 0, frame.cols));
   }
 
   /// Returns how many pixels differ from the background.
@@ -131,11 +113,11 @@ class SelectiveSegmenter final : public Segmenter {
     std::size_t differing = 0;
     for (const ReadPlan::Band& band : plan.bands()) {
       for (int y = band.top; y < band.bottom; ++y) {
-        find_kept_columns(y);
+        kept_.enter_row(y);
         for (std::size_t i = band.first_span; i < band.last_span; ++i) {
           const ReadPlan::Span& span = plan.spans()[i];
-          if (!plan.whole() && y + ahead < band.bottom) fetch(frame, mask, y + ahead, span, channels);
-          differing += step_span(row<channels>(frame, mask, y, span.begin, span.end), span, span.refresh ? refresh : now);
+          if (!plan.whole() && y + ahead < band.bottom) memory_.fetch(frame, mask, y + ahead, span.begin, span.end);
+          differing += step_span(memory_.row<channels>(frame, mask, y, span.begin, span.end), span, span.refresh ? refresh : now);
         }
       }
     }
@@ -147,30 +129,13 @@ class SelectiveSegmenter final : public Segmenter {
   std::size_t step_span(const SelectiveRow<channels>& whole, const ReadPlan::Span& span, SelectiveStep step) const {
     std::size_t differing = 0;
     for (int x = span.begin; x < span.end;) {
-      const Stretch stretch = stretch_at(x);
+      const KeptPlaces::Stretch stretch = kept_.stretch_at(x);
       const int end = std::min(stretch.end, span.end);
       step.learn = !stretch.kept;
       differing += kernels::selective_step(whole.part(static_cast<std::size_t>(x), static_cast<std::size_t>(end - x)), step);
       x = end;
     }
     return differing;
-  }
-
-  static constexpr int ahead = 2;  ///< rows
-
-  /// Asks for the memory of a span's beginning before its turn comes: each row's arrays lie far from the last row's, and the
-  /// processor foresees only what follows within a row.
-  void fetch(const cv::Mat& frame, const cv::Mat& mask, int y, const ReadPlan::Span& span, int channels) const {
-    constexpr std::ptrdiff_t line = 64, most = 2 * line;
-    const std::ptrdiff_t begin = span.begin, count = std::min<std::ptrdiff_t>(span.end - span.begin, most);
-    const auto ask = [](const void* from, std::ptrdiff_t bytes) {
-      const auto* const first = static_cast<const char*>(from);
-      for (std::ptrdiff_t at = 0; at < bytes + line; at += line) simd::prefetch(first + std::min(at, bytes - 1));
-    };
-    ask(frame.ptr<std::uint8_t>(y) + channels * begin, channels * count);
-    ask(mask.ptr<std::uint8_t>(y) + begin, count);
-    const std::int16_t* const levels = levels_.data() + offset(y, channels + 1) + begin;
-    for (int c = 0; c <= channels; ++c) ask(levels + std::ptrdiff_t{c} * size_.width, 2 * count);
   }
 
   /// The constants of the frame at `time_s`, which is later than the one before.
@@ -209,94 +174,12 @@ class SelectiveSegmenter final : public Segmenter {
     return step;
   }
 
-  /// Where row y begins in a vector that holds `arrays` numbers a pixel.
-  std::size_t offset(int y, int arrays) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(arrays) * static_cast<std::size_t>(size_.width);
-  }
-
-  std::size_t color_stride() const { return static_cast<std::size_t>(size_.width) + kernels::selective_block; }
-
-  /// Row y of the frame, the colours from `begin` up to `end` taken apart into `colors_`, and what is known of it.
-  template <int channels>
-  SelectiveRow<channels> row(const cv::Mat& frame, cv::Mat& mask, int y, int begin, int end) {
-    constexpr int block = kernels::selective_block;
-    const int width = size_.width;
-    const auto* const pixels = frame.ptr<std::uint8_t>(y);
-    SelectiveRow<channels> row;
-    // Whole blocks, moved to the left where the frame ends.
-    const int length = std::min((end - begin + block - 1) / block * block, width);
-    const auto first = static_cast<std::size_t>(std::min(begin, width - length));
-    const auto count = static_cast<std::size_t>(length);
-    if constexpr (channels == 3) {
-      for (int c = 0; c < channels; ++c) row.frame[c] = colors_.data() + static_cast<std::size_t>(c) * color_stride();
-      std::uint8_t* const blue = colors_.data() + first;
-      kernels::split_colors(pixels + 3 * first, blue, blue + color_stride(), blue + 2 * color_stride(), count);
-    } else if (end + block <= width) {
-      row.frame[0] = pixels;
-    } else {
-      std::copy_n(pixels + first, count, colors_.data() + first);
-      row.frame[0] = colors_.data();
-    }
-    std::int16_t* const levels = levels_.data() + offset(y, channels + 1);
-    std::uint8_t* const candidate = candidates_.data() + offset(y, channels);
-    for (int c = 0; c < channels; ++c) {
-      row.background[c] = levels + c * width;
-      row.candidate[c] = candidate + c * width;
-    }
-    row.deviation = levels + channels * width;
-    row.age_ms = ages_ms_.data() + offset(y, 1);
-    row.mask = mask.ptr<std::uint8_t>(y);
-    row.count = static_cast<std::size_t>(width);
-    return row;
-  }
-
-  void find_kept(const std::vector<Box>& places) {
-    kept_.clear();
-    for (const Box& place : places) {
-      const cv::Rect rect = pixel_rect(place, size_);
-      if (!rect.empty()) kept_.push_back(rect);
-    }
-  }
-
-  void find_kept_columns(int y) {
-    kept_columns_.clear();
-    for (const cv::Rect& rect : kept_) {
-      if (y >= rect.y && y < rect.y + rect.height) kept_columns_.emplace_back(rect.x, rect.x + rect.width);
-    }
-  }
-
-  /// Pixels of one row up to `end` that are all learned or all kept.
-  struct Stretch {
-    int end;
-    bool kept;
-  };
-
-  /// The one that begins at x in the row of `kept_columns_`.
-  Stretch stretch_at(int x) const {
-    Stretch stretch{size_.width, false};
-    for (const cv::Range& kept : kept_columns_) {
-      if (x >= kept.end) continue;
-      if (x < kept.start) {
-        if (!stretch.kept) stretch.end = std::min(stretch.end, kept.start);
-      } else {
-        stretch = {stretch.kept ? std::max(stretch.end, kept.end) : kept.end, true};
-      }
-    }
-    return stretch;
-  }
-
   SelectiveOptions options_;
-  cv::Size size_;
-  int channels_ = 0;  ///< 0: no frame yet
+  SelectiveMemory memory_;
+  KeptPlaces kept_;
   double start_s_ = 0.0;
   double previous_s_ = 0.0;
   double unlearned_s_ = 0.0;              ///< time whose movement was too small to make
-  std::vector<std::int16_t> levels_;      ///< for each row: background by channel, deviation
-  std::vector<std::uint8_t> candidates_;  ///< for each row: by channel
-  std::vector<std::uint16_t> ages_ms_;
-  std::vector<std::uint8_t> colors_;      ///< one row of the frame: blue, green, red
-  std::vector<cv::Rect> kept_;
-  std::vector<cv::Range> kept_columns_;   ///< of one row
   ReadPlan whole_;
 };
 

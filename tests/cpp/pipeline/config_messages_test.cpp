@@ -157,7 +157,7 @@ TEST(ConfigMessages, AMeasurementCovarianceThatIsNoneIsRefusedWithItsEigenvalue)
   EXPECT_THROW(make_filter_bank(config.filter), ConfigError);
   config.set("filter.covariances=as_published");
   EXPECT_TRUE(contains(message_of<ConfigError>([&] { config.check(); }),
-                       "cost.model: \"gaussian\" needs a covariance, and filter.covariances is \"as_published\""));
+                       "cost.model: \"gaussian\" needs a filter with a covariance, and filter.covariances is \"as_published\""));
   config.set("cost.model=distance");
   EXPECT_NO_THROW(Tracker{config});
   // One axis measured exactly, or two that say the same.

@@ -143,7 +143,7 @@ TEST(Regions, NeedACovariance) {
   config.filter = KalmanDiscreteOptions{.covariances = Covariances::as_published};
   config.cost = DistanceOptions{};
   EXPECT_EQ(message_of<ConfigError>([&] { config.check(); })
-                .find("regions.model: \"predicted\" needs a covariance, and filter.covariances is \"as_published\""),
+                .find("regions.model: \"predicted\" needs a filter with a covariance, and filter.covariances is \"as_published\""),
             0U);
 }
 
