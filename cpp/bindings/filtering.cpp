@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/filtering/filter_bank.hpp"
 #include "survtrack/tracking/path_bank.hpp"
@@ -56,7 +57,7 @@ int add(PyFilterBank& self, double x, double y, double object_size_px) {
 
 void predict(PyFilterBank& self, double dt) {
   if (!(dt > 0.0) || !(dt <= 1e6)) {
-    throw InputError("dt: " + std::to_string(dt) + " is not allowed; expected a number above 0 and at most 1e6");
+    throw InputError("dt: " + text_of(dt) + " is not allowed; expected a number above 0 and at most 1e6");
   }
   self.bank->predict(dt);
 }

@@ -4080,7 +4080,7 @@ class PredictedRegionsOptions:
         acquisition: where newcomers are looked for; one of "border" "zones" "strip"
         border: width of the band along the border, with acquisition border [frame heights]; above 0 and at most 1
         refresh_frames: a strip a frame is read in turn, so that each place is seen once in so many; 0: none is [frames]; between 0 and 100000
-        whole_above: a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel each, and 64 more for every piece of a row; between 0 and 100
+        whole_above: a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel each, and 64 more for every piece of a row, as selective takes; between 0 and 100
     """
 
     __hash__: typing.ClassVar[None] = None  # type: ignore[assignment]
@@ -4098,9 +4098,9 @@ class PredictedRegionsOptions:
         whole_object: bool = True,
         margin: float = 0.2,
         growth: float = 1.5,
-        acquisition: str = "border",
+        acquisition: str = "strip",
         border: float = 0.05,
-        refresh_frames: int = 20,
+        refresh_frames: int = 10,
         whole_above: float = 0.9,
     ) -> None:
         """
@@ -4175,7 +4175,7 @@ class PredictedRegionsOptions:
     @property
     def whole_above(self) -> float:
         """
-        a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel each, and 64 more for every piece of a row
+        a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel each, and 64 more for every piece of a row, as selective takes
         """
     @whole_above.setter
     def whole_above(self, value: typing.Never) -> None: ...

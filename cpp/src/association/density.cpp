@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
@@ -77,12 +78,12 @@ Density Density::two_sided_exponential(double range, double scale) {
 }
 
 Density Density::from_values(double range, const std::vector<double>& values, const std::string& name) {
-  if (!(range > 0.0) || !std::isfinite(range)) refuse(name + ".range", "is " + std::to_string(range) + "; expected a finite number above 0");
+  if (!(range > 0.0) || !std::isfinite(range)) refuse(name + ".range", "is " + text_of(range) + "; expected a finite number above 0");
   if (values.size() < 3) refuse(name + ".values", "are " + std::to_string(values.size()) + "; expected at least 3");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] >= 0.0) || !std::isfinite(values[i])) {
       refuse(name + ".values[" + std::to_string(i) + "]",
-             "is " + std::to_string(values[i]) + "; expected a finite number of at least 0");
+             "is " + text_of(values[i]) + "; expected a finite number of at least 0");
     }
   }
   const double integral = mass(values) * 2.0 * range / static_cast<double>(values.size());

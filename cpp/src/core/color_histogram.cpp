@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/check_mask.hpp"
+#include "core/text_of.hpp"
 #include "survtrack/core/checks.hpp"
 #include "survtrack/core/errors.hpp"
 
@@ -22,7 +23,7 @@ void check_histogram(const ColorHistogram& histogram, const std::string& name) {
   }
   constexpr double tolerance = 1e-3;
   if (sum == 0.0 || std::abs(sum - 1.0) <= tolerance) return;
-  throw InputError(name + ": its parts sum to " + std::to_string(sum) + "; expected 1, or 0 for no pixels");
+  throw InputError(name + ": its parts sum to " + text_of(sum) + "; expected 1, or 0 for no pixels");
 }
 
 double histogram_intersection(const ColorHistogram& a, const ColorHistogram& b) {

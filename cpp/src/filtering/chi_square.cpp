@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
@@ -49,7 +50,7 @@ double quantile(double probability, double degrees) {
 void check_probability(double probability) {
   // Nearer to 1 the distribution function itself has no digits left.
   if (probability > 0.0 && probability <= 1.0 - 1e-12) return;
-  throw InputError("probability: is " + std::to_string(probability) + "; expected a number above 0 and below 1 - 1e-12");
+  throw InputError("probability: is " + text_of(probability) + "; expected a number above 0 and below 1 - 1e-12");
 }
 
 void check_degrees(const char* name, double value) {

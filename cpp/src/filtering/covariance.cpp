@@ -6,8 +6,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <sstream>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/filtering/correction.hpp"
 
@@ -15,12 +15,6 @@ namespace survtrack {
 namespace {
 
 constexpr double rounding = 1e-9;  // relative; products of valid matrices stay far below it
-
-std::string text_of(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 [[noreturn]] void throw_not_semidefinite(const std::string& name, double smallest) {
   throw InputError(name + ": is not positive semi-definite, its smallest eigenvalue is " + text_of(smallest) +
@@ -67,9 +61,7 @@ void check_covariance(const std::string& name, const MatrixView& matrix, Eigen::
   }
 }
 
-Eigen::MatrixXd covariance_root(const std::string& name, const MatrixView& P) {
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(P);
-  if (cholesky.info() == Eigen::Success) return cholesky.matrixL();
+Eigen::MatrixXd semidefinite_root(const std::string& name, const MatrixView& P) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(P);
   const Eigen::VectorXd& values = solver.eigenvalues();
   if (!(values.minCoeff() >= -rounding * values.cwiseAbs().maxCoeff())) throw_not_semidefinite(name, values.minCoeff());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "survtrack/filtering/particle_filter.hpp"
+#include "core/text_of.hpp"
 
 namespace survtrack {
 
@@ -10,7 +11,7 @@ void check_particle_options(const ParticleFilterOptions& options) {
     throw InputError("count: is " + std::to_string(options.count) + "; expected 1 to 10000000 particles");
   }
   if (!(options.resample_below >= 0.0 && options.resample_below <= 1.0)) {
-    throw InputError("resample_below: is " + std::to_string(options.resample_below) + "; expected a share, 0 to 1");
+    throw InputError("resample_below: is " + text_of(options.resample_below) + "; expected a share, 0 to 1");
   }
 }
 
@@ -24,7 +25,7 @@ void check_particle_weights(const Eigen::VectorXd& weights) {
 std::vector<int> systematic_resample(const Eigen::VectorXd& weights, double offset) {
   check_particle_weights(weights);
   if (!(offset >= 0.0 && offset < 1.0)) {
-    throw InputError("offset: is " + std::to_string(offset) + "; expected a number from 0 up to 1, without 1");
+    throw InputError("offset: is " + text_of(offset) + "; expected a number from 0 up to 1, without 1");
   }
   const Eigen::Index count = weights.size();
   const double step = weights.sum() / static_cast<double>(count);

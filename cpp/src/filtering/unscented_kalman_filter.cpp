@@ -5,13 +5,14 @@
 
 #include <string>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
 
 void check_sigma_points(const SigmaPoints& points, Eigen::Index n) {
   const auto refuse = [](const char* name, double value, const std::string& expected) {
-    throw InputError(std::string(name) + ": is " + std::to_string(value) + "; expected " + expected);
+    throw InputError(std::string(name) + ": is " + text_of(value) + "; expected " + expected);
   };
   // Below 1e-4 the weights are so large that rounding takes over.
   if (!(points.alpha >= 1e-4 && points.alpha <= 1.0)) refuse("alpha", points.alpha, "1e-4 to 1");

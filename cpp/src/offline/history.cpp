@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <sstream>
 #include <string>
 #include <utility>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
@@ -24,22 +24,11 @@ std::string where(const RecordedTrack& track, const TrackPoint& point) {
   return "track " + std::to_string(track.id) + ", frame index " + std::to_string(point.index) + ": ";
 }
 
-std::string text_of(std::initializer_list<double> values) {
-  std::ostringstream text;
-  text.precision(15);
-  const char* before = values.size() > 1 ? "(" : "";
-  for (const double value : values) {
-    text << before << value;
-    before = ", ";
-  }
-  return text.str() + (values.size() > 1 ? ")" : "");
-}
-
 void check_point(const RecordedTrack& track, const TrackPoint& point) {
   const auto demand = [&](const char* name, std::initializer_list<double> values, double low, double high,
                           const char* expected) {
     if (within(values, low, high)) return;
-    throw InputError(where(track, point) + name + " " + text_of(values) + " is not allowed; expected " + expected);
+    throw InputError(where(track, point) + name + " " + (values.size() > 1 ? text_of(values) : text_of(*values.begin())) + " is not allowed; expected " + expected);
   };
   if (point.index < 0) throw InputError(where(track, point) + "frames count from 0");
   const Box& box = point.box;
@@ -79,8 +68,8 @@ void check_times(const History& history) {
     const auto [point, track] = points[i];
     const bool same_frame = before->index == point->index;
     if (same_frame ? before->time_s == point->time_s : before->time_s < point->time_s) continue;
-    throw InputError(where(*track, *point) + "time_s " + text_of({point->time_s}) + " is not allowed; track " +
-                     std::to_string(other->id) + " has " + text_of({before->time_s}) + " s " +
+    throw InputError(where(*track, *point) + "time_s " + text_of(point->time_s) + " is not allowed; track " +
+                     std::to_string(other->id) + " has " + text_of(before->time_s) + " s " +
                      (same_frame ? "in the same frame" : "in frame index " + std::to_string(before->index)) +
                      ", and times must increase with the frames");
   }

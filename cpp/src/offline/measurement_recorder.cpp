@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/tracking/measurement.hpp"
 
@@ -14,7 +15,7 @@ namespace survtrack {
 MeasurementRecorder::MeasurementRecorder(const Config& config, double max_gap_s)
     : measurement_(config.check().measurement), time_unit_s_(config.time_unit_s), max_gap_s_(max_gap_s) {
   if (max_gap_s > 0.0 && std::isfinite(max_gap_s)) return;
-  throw InputError("max_gap_s: " + std::to_string(max_gap_s) + " is not allowed; expected a number above 0");
+  throw InputError("max_gap_s: " + text_of(max_gap_s) + " is not allowed; expected a number above 0");
 }
 
 void MeasurementRecorder::add(const TrackingResult& result, const Detections& detections) {

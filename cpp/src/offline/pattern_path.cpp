@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
@@ -48,7 +49,7 @@ double mean_step_px(const std::vector<Point>& points) {
 
 Path path_of_pattern(const Pattern& pattern, PathKind kind, std::optional<double> close_within_px, double max_distance_px) {
   if (close_within_px && !(*close_within_px >= 0.0)) {
-    throw InputError("close_within_px: is " + std::to_string(*close_within_px) + "; expected px of at least 0");
+    throw InputError("close_within_px: is " + text_of(*close_within_px) + "; expected px of at least 0");
   }
   std::vector<Point> points = pattern.way;
   if (points.size() < 2) throw InputError("way: has " + std::to_string(points.size()) + " points; expected at least 2");

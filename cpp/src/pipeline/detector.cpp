@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "segmentation/pixel_rect.hpp"
 #include "survtrack/core/checks.hpp"
 
@@ -19,8 +20,8 @@ void check_regions(const char* name, const std::vector<Region>& regions, const c
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const Box& box = regions[i].box;
     if (!pixel_rect(box, size).empty()) continue;
-    throw InputError(std::string(name) + "[" + std::to_string(i) + "]: (" + std::to_string(box.x) + ", " + std::to_string(box.y) +
-                     ", " + std::to_string(box.width) + ", " + std::to_string(box.height) + ") lies outside of the frame of " +
+    throw InputError(std::string(name) + "[" + std::to_string(i) + "]: " +
+                     text_of({box.x, box.y, box.width, box.height}) + " lies outside of the frame of " +
                      std::to_string(size.width) + "x" + std::to_string(size.height) + " px; expected one that meets it");
   }
 }
@@ -84,8 +85,8 @@ const TimedFrame& Detector::next() const {
 void Detector::detect(const Expectation& expectation, Detections& detections) {
   check_regions("expectation.regions", expectation.regions, next().image.size(), segmenter_->reads_regions());
   if (expectation.time_s != next().time_s) {
-    throw InputError("expectation.time_s: " + std::to_string(expectation.time_s) + " is not the time of the frame that is due, " +
-                     std::to_string(next().time_s));
+    throw InputError("expectation.time_s: " + text_of(expectation.time_s) + " is not the time of the frame that is due, " +
+                     text_of(next().time_s));
   }
   const TimedFrame frame = queue_.front();
   queue_.erase(queue_.begin());

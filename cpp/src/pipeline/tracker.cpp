@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "pipeline/track_events.hpp"
 #include "survtrack/core/checks.hpp"
 #include "survtrack/core/errors.hpp"
@@ -103,25 +104,23 @@ void Tracker::check(const Detections& detections) const {
     const Color& color = d.mean_color;
     const auto is_level = [](double level) { return level >= 0.0 && level <= 255.0; };
     if (!is_level(color.blue) || !is_level(color.green) || !is_level(color.red)) {
-      throw InputError("detections[" + std::to_string(i) + "].mean_color: (" + std::to_string(color.blue) + ", " +
-                       std::to_string(color.green) + ", " + std::to_string(color.red) +
-                       ") is not allowed; expected 0 to 255 a channel");
+      throw InputError("detections[" + std::to_string(i) + "].mean_color: " + text_of({color.blue, color.green, color.red}) +
+                       " is not allowed; expected 0 to 255 a channel");
     }
     const double smallest = 1e-3, limit = 1e9;
     if (finite && b.width >= smallest && b.height >= smallest && std::abs(b.x) < limit && std::abs(b.y) < limit &&
         b.width < limit && b.height < limit) {
       continue;
     }
-    throw InputError("detections[" + std::to_string(i) + "].box: (" + std::to_string(b.x) + ", " + std::to_string(b.y) +
-                     ", " + std::to_string(b.width) + ", " + std::to_string(b.height) +
-                     ") is not allowed; expected finite left and top, width and height of at least 0.001 px, all below 1e9 px");
+    throw InputError("detections[" + std::to_string(i) + "].box: " + text_of({b.x, b.y, b.width, b.height}) +
+                     " is not allowed; expected finite left and top, width and height of at least 0.001 px, all below 1e9 px");
   }
 }
 
 void Tracker::update(const Detections& detections, TrackingResult& result) {
   check(detections);
   if (!predicted_ || *last_time_s_ != detections.time_s) {
-    throw InputError("detections.time_s: " + std::to_string(detections.time_s) +
+    throw InputError("detections.time_s: " + text_of(detections.time_s) +
                      " is not the time given to predict() before; expected one update after each predict");
   }
   predicted_ = false;

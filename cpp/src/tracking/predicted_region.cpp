@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
@@ -16,24 +17,24 @@ namespace {
 constexpr double step_px = 4.0;
 constexpr int most_steps = 256;
 
-void require(bool holds, const char* what) {
-  if (!holds) throw InputError(std::string("predicted_region: ") + what);
+void require(bool holds, const char* name, const char* what = "") {
+  if (!holds) throw InputError(std::string("predicted_region: ") + name + what);
 }
 
 bool finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-void check_covariance(const Symmetric2& C) {
-  require(std::isfinite(C.xx) && std::isfinite(C.xy) && std::isfinite(C.yy), "the covariance is not finite; expected px^2");
+void check_covariance(const char* name, const Symmetric2& C) {
+  require(std::isfinite(C.xx) && std::isfinite(C.xy) && std::isfinite(C.yy), name, " is not finite; expected px^2");
   const double middle = 0.5 * (C.xx + C.yy), reach = std::hypot(0.5 * (C.xx - C.yy), C.xy);
   // Up to rounding, to 1e-9 of the largest eigenvalue.
   if (middle - reach >= -1e-9 * (std::abs(middle) + reach)) return;
-  throw InputError("predicted_region: covariance_px2 is no covariance: its smallest eigenvalue is " +
-                   std::to_string(middle - reach) + "; expected none below 0");
+  throw InputError(std::string("predicted_region: ") + name + " is no covariance: its smallest eigenvalue is " +
+                   text_of(middle - reach) + "; expected none below 0");
 }
 
 void check(const ExpectedObject& object) {
   require(finite(object.before) && finite(object.position), "a position is not finite; expected px");
-  check_covariance(object.covariance_px2);
+  check_covariance("covariance_px2", object.covariance_px2);
   const Box& box = object.box;
   require(std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) && std::isfinite(box.height) &&
               box.width > 0.0 && box.height > 0.0,
@@ -126,7 +127,7 @@ Box predicted_region(const PredictedRegionsOptions& options, const ExpectedObjec
 Box predicted_region(const PredictedRegionsOptions& options, const ExpectedObject& object, const Path& path,
                      const ExpectedOnPath& place) {
   check(object);
-  check_covariance(place.covariance_px2);
+  check_covariance("place.covariance_px2", place.covariance_px2);
   return with_size(options, object, places(options, path, place));
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/text_of.hpp"
 #include "survtrack/core/errors.hpp"
 
 namespace survtrack {
@@ -18,11 +19,6 @@ Box inside(const Box& box, double width, double height) {
   const double left = std::clamp(box.x, 0.0, width), right = std::clamp(box.right(), 0.0, width);
   const double top = std::clamp(box.y, 0.0, height), bottom = std::clamp(box.bottom(), 0.0, height);
   return {left, top, right - left, bottom - top};
-}
-
-std::string text_of(const Box& box) {
-  return "(" + std::to_string(box.x) + ", " + std::to_string(box.y) + ", " + std::to_string(box.width) + ", " +
-         std::to_string(box.height) + ")";
 }
 
 /// Rounding may take a variance a little below 0.
@@ -44,7 +40,7 @@ void RegionPlanner::load_zones(const std::vector<Box>& zones) {
     const Box& zone = zones[i];
     const bool finite = std::isfinite(zone.x) && std::isfinite(zone.y) && std::isfinite(zone.width) && std::isfinite(zone.height);
     if (finite && zone.width > 0.0 && zone.height > 0.0) continue;
-    throw InputError("zones[" + std::to_string(i) + "]: " + text_of(zone) +
+    throw InputError("zones[" + std::to_string(i) + "]: " + text_of({zone.x, zone.y, zone.width, zone.height}) +
                      " is not allowed; expected finite left and top, width and height above 0 px");
   }
   zones_ = zones;
@@ -59,7 +55,7 @@ void RegionPlanner::check(int frame_width, int frame_height) const {
   for (std::size_t i = 0; i < zones_.size() && frame_width > 0; ++i) {
     const Box part = inside(zones_[i], frame_width, frame_height);
     if (part.width > 0.0 && part.height > 0.0) continue;
-    throw InputError("zones[" + std::to_string(i) + "]: " + text_of(zones_[i]) + " lies outside of the frame of " +
+    throw InputError("zones[" + std::to_string(i) + "]: " + text_of({zones_[i].x, zones_[i].y, zones_[i].width, zones_[i].height}) + " lies outside of the frame of " +
                      std::to_string(frame_width) + "x" + std::to_string(frame_height) + " px; expected one that meets it");
   }
 }
@@ -95,14 +91,16 @@ std::optional<Box> RegionPlanner::region_of(const TrackTable& table, int i) cons
   object.covariance_px2 = without_negative(table.predicted_covariance_px2(i));
   object.box = table.predicted_box(i);
   object.lost_s = table.lost_s(i);
-  // What was cut off, by the border or by the region itself, is seen only when the region allows for it.
+  const std::optional<PathState> state = table.path_state(i);
+  // What was cut off, by the border or by the region itself, is seen only when the region allows for it. What follows a path
+  // may turn, and its height with it.
   const SceneScale scale = table.scale().scale();
-  if (scale.known) {
+  if (scale.known && !state) {
     const double missing = scale.height_px(object.box.bottom()) - object.box.height;
     if (missing > 0.0) object.box = {object.box.x, object.box.y - missing, object.box.width, object.box.height + missing};
   }
   if (!is_finite(object)) return std::nullopt;
-  if (const std::optional<PathState> state = table.path_state(i)) {
+  if (state) {
     const Symmetric2 covariance = without_negative(state->covariance_px2);
     if (!std::isfinite(covariance.xx) || !std::isfinite(covariance.yy)) return std::nullopt;
     return predicted_region(options_, object, *state->path, {state->place_before, state->predicted, covariance});

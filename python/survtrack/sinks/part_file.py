@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A file that gets its name when it is whole."""
 
+import errno
 import os
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
@@ -46,8 +47,10 @@ class _PartFile(ABC, Generic[AnyStr]):
         return self._failed
 
     def open(self) -> None:
-        """Start an empty NAME.part; raises OSError."""
+        """Start an empty NAME.part; raises OSError, also where NAME is a folder."""
         with naming(self.path):
+            if self.path.is_dir():
+                raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
             self._file = self._opened(part_of(self.path))
 
     @abstractmethod

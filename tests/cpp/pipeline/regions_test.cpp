@@ -206,7 +206,7 @@ TEST(Regions, OfTheCallersOwnAreRead) {
   EXPECT_EQ(seen->items[0].box.x, 40.0);
   EXPECT_EQ(seen->items[0].box.right(), 60.0) << "what lies beyond is not seen";
   EXPECT_EQ(message_of<InputError>([&] { detector.process(scene.frame(2.0), 1.1, {}, {}, {left, {400.0, 0.0, 10.0, 10.0}}); })
-                .find("regions[1]: (400.000000, 0.000000, 10.000000, 10.000000) lies outside of the frame of 160x120"),
+                .find("regions[1]: (400, 0, 10, 10) lies outside of the frame of 160x120"),
             0U);
   Config other = scene_config();
   other.segmenter = KnnOptions{};
@@ -222,7 +222,7 @@ TEST(Regions, ZonesAreAskedForAndChecked) {
   EXPECT_THROW(pipeline.load_zones({{0.0, 0.0, 0.0, 10.0}}), InputError);
   pipeline.load_zones({{0.0, 30.0, 40.0, 60.0}, {200.0, 0.0, 10.0, 10.0}});
   EXPECT_EQ(message_of<InputError>([&] { pipeline.process(scene.frame(0.0), 0.0); })
-                .find("zones[1]: (200.000000, 0.000000, 10.000000, 10.000000) lies outside of the frame of 160x120 px"),
+                .find("zones[1]: (200, 0, 10, 10) lies outside of the frame of 160x120 px"),
             0U);
   pipeline.load_zones({{0.0, 30.0, 40.0, 60.0}});
   const auto results = run_scene(pipeline, scene, steady_times(10.0, 40));

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <random>
+#include <vector>
 
+#include "../simd_levels.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/segmentation/segmenter.hpp"
 
@@ -135,6 +137,60 @@ TEST(SelectiveRegions, OtherModelsReadWholeFrames) {
     EXPECT_THROW(segmenter->segment_regions(noisy(60, 1U, 3), {}, plan_of(place), mask, events), InputError);
   }
   EXPECT_TRUE(make_segmenter(SelectiveOptions{})->reads_regions());
+}
+
+// Regions at all edges, narrower than a block of pixels and wider, with places that are kept: what is read is what the
+// whole frame gives, the rest stays.
+class SelectiveRegions : public AtEverySimdLevel {};
+INSTANTIATE_TEST_SUITE_P(Levels, SelectiveRegions, testing::ValuesIn(simd_levels()), simd_level_name);
+
+TEST_P(SelectiveRegions, OfAnyPlaceAndSizeAreThoseOfTheWholeFrame) {
+  std::minstd_rand random(11);
+  const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+  const auto some_rect = [&](const cv::Size& size) {
+    const int x = below(size.width), y = below(size.height);
+    return cv::Rect(x, y, 1 + below(size.width - x), 1 + below(size.height - y));
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
+    const cv::Size size(1 + below(trial % 2 == 0 ? 40 : 150), 1 + below(6));
+    const int channels = trial % 3 == 0 ? 1 : 3;
+    ReadPlan plan;
+    plan.clear(size);
+    cv::Mat read = cv::Mat::zeros(size, CV_8UC1);
+    for (int i = below(5); i >= 0; --i) {
+      const cv::Rect rect = some_rect(size);
+      plan.add(rect);
+      read(rect).setTo(255);
+    }
+    plan.finish();
+    std::vector<Box> keep;
+    for (int i = below(3); i > 0; --i) {
+      const cv::Rect rect = some_rect(size);
+      keep.push_back({double(rect.x), double(rect.y), double(rect.width), double(rect.height)});
+    }
+    Model whole, parts;
+    for (int k = 0; k < 12; ++k) {
+      // Of exactly this size on the heap, so that sanitizers see what is read beyond it.
+      std::vector<std::uint8_t> levels(static_cast<std::size_t>(size.area() * channels));
+      for (std::uint8_t& level : levels) level = static_cast<std::uint8_t>(below(6) > 0 ? 100 + below(5) : below(256));
+      const cv::Mat frame(size, CV_8UC(channels), levels.data());
+      Expectation expectation = Model::at(0.1 * k);
+      expectation.keep = keep;
+      whole.segmenter->segment(frame, expectation, whole.mask, whole.events);
+      if (!whole.events.empty()) break;  // it began anew, as regions cannot
+      const cv::Mat before = k < 5 ? cv::Mat() : parts.background();
+      if (k < 5) {
+        parts.segmenter->segment(frame, expectation, parts.mask, parts.events);
+        continue;
+      }
+      parts.segmenter->segment_regions(frame, expectation, plan, parts.mask, parts.events);
+      EXPECT_EQ(difference(parts.mask, whole.mask & read), 0.0) << k;
+      cv::Mat expected = before.clone();
+      whole.background().copyTo(expected, read);
+      EXPECT_EQ(difference(parts.background(), expected), 0.0) << k;
+    }
+  }
 }
 
 }  // namespace

@@ -102,6 +102,12 @@ def test_refuses_what_it_cannot_do(tmp_path: Path, capsys: pytest.CaptureFixture
     assert tune(images, "--out", tmp_path / "none" / "tuned.toml") == 1
     told = capsys.readouterr()
     assert "none/tuned.toml: No such file or directory" in told.err and "0 steps" not in told.err
+    out.mkdir()
+    assert tune(images, "--out", out) == 1
+    told = capsys.readouterr()
+    assert "tuned.toml: Is a directory" in told.err and "0 steps" not in told.err
+    assert not out.with_name("tuned.toml.part").exists()
+    out.rmdir()
     assert tune(tmp_path / "none") == 1
     assert "none" in capsys.readouterr().err
     assert not out.exists()

@@ -9,7 +9,9 @@ from scenes import config_of, run, scene
 from survtrack.drawing import RegionRenderer, Views, as_scene
 
 # In frames as small as these pieces of rows cost more than their pixels spare.
-PREDICTED = survtrack.PredictedRegionsOptions(border=0.1, refresh_frames=20, whole_above=100)
+PREDICTED = survtrack.PredictedRegionsOptions(
+    acquisition="border", border=0.1, refresh_frames=20, whole_above=100
+)
 SOON = survtrack.SelectiveOptions(update_time_s=0.2)  # whole frames for 0.4 s only
 
 

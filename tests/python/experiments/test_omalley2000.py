@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The filter in path coordinates: the race, the printed values, each erratum, and the report."""
 
+import dataclasses
 import json
 import math
 from pathlib import Path
@@ -28,6 +29,10 @@ from survtrack.experiments.omalley2000 import (
 )
 from survtrack.experiments.omalley2000.claims import claims
 from survtrack.experiments.omalley2000.errata import ERRATA, Erratum, measure_errata
+from survtrack.experiments.omalley2000.facts import facts
+from survtrack.experiments.omalley2000.followed import Filmed
+from survtrack.experiments.omalley2000.plots import PLOT_TEXTS
+from survtrack.experiments.omalley2000.report import report
 from survtrack.scenes import make_scene
 
 TICKS: list[int] = []
@@ -67,9 +72,27 @@ def test_the_race_goes_round_the_track() -> None:
 
 
 def test_speeds_are_those_of_the_start_and_of_the_swing() -> None:
-    assert float(race.speed_at(0.0)) == 77
-    everywhere = race.speed_at(np.linspace(0, published.LENGTH, 1000))
+    assert float(race.PRINTED.speed_at(0.0)) == 77
+    everywhere = race.PRINTED.speed_at(np.linspace(0, published.LENGTH, 1000))
     assert (everywhere.min(), everywhere.max()) == pytest.approx((77 * 0.6, 77 * 1.4), rel=1e-4)
+
+
+def test_drives_are_those_of_their_seeds() -> None:
+    drives = [race.drawn(seed) for seed in filmed.SEEDS]
+    assert drives == [race.drawn(seed) for seed in filmed.SEEDS]
+    for name in ("start", "speed", "swing", "phase"):
+        assert len({getattr(drive, name) for drive in drives}) == len(drives)
+    for drive in drives:
+        assert 0 <= drive.start < published.LENGTH
+        assert 0.8 * 77 <= drive.speed <= 1.2 * 77 and 0.2 <= drive.swing <= 0.4
+        one = race.race(filmed.FRAMES, drive=drive)
+        before = survtrack.wrapped_difference(one.truth[0, 0] - drive.start, published.LENGTH)
+        assert before == pytest.approx(one.truth[0, 2] * published.PERIOD_S, rel=0.1)
+        # The frames that count are one lap.
+        span = filmed.counted(one)
+        assert 0 < span.start < span.stop < filmed.FRAMES
+        lap = one.truth[span, 2].sum() * published.PERIOD_S
+        assert lap == pytest.approx(published.LENGTH, rel=0.03)
 
 
 def test_the_port_is_right_but_for_its_fault() -> None:
@@ -155,7 +178,7 @@ def test_the_preset_has_the_identified_noises(made: measured.Made) -> None:
 def test_verdicts_are_those_of_the_numbers(made: measured.Made) -> None:
     assert [claim.holds for claim in claims(made, [])] == [
         *(False, True, True, False, False),
-        *(False, True, True, True),
+        *(False, True, False, True, False, True),
     ]
     text = made.errors["text"]
     assert text.t < made.raw[0] / 2 and text.v_t < made.raw[2] / 10
@@ -213,12 +236,51 @@ def test_a_car_is_held_with_all_its_corners() -> None:
 def test_the_preset_reads_less_than_a_constant_box(made: measured.Made) -> None:
     printed, ours = made.filmed
     assert (printed.preset, ours.preset) == filmed.PRESETS
-    assert ours.frames == printed.frames == filmed.FRAMES - filmed.WARM_UP
-    assert len(ours.areas_px) == ours.frames, "it is never lost"
-    assert ours.hit_rate >= 0.99 and ours.saving >= 0.33 and ours.pixels < 0.1
-    assert ours.constant_px > np.prod(regions.CAR_PX)
-    assert printed.hit_rate < 0.9 and printed.saving < 0
+    assert len(ours.drives) == len(filmed.SEEDS) and ours.frames == printed.frames > 300
+    assert ours.with_region == 1, "it is never lost"
+    assert ours.hit_rate >= 0.99 and ours.worst_hit_rate >= 0.98
+    assert ours.saving >= 0.33 and ours.pixels < 0.1
+    assert 0.2 < ours.saving_of_fitted < ours.saving, "boxes that know each drive are smaller"
+    assert ours.fitted_px > np.prod(regions.CAR_PX)
+    assert printed.worst_hit_rate < 0.9 and printed.saving < 0
     assert (ours.variances < 0.01).all(), "half a pixel is enough"
+
+
+def test_a_frame_without_a_region_is_a_miss_of_the_zone() -> None:
+    """A car that keeps to where the zone is not, and is never followed."""
+    unit = race.race(1).unit_px
+    one = race.race(filmed.FRAMES, drive=race.Drive(start=100))
+    nobody = filmed.pipeline_of("omalley2000_identified", unit)
+    nobody.load_zones([survtrack.Box(300, 220, 10, 10)])
+    seen = filmed.follow(nobody, one)
+    assert (seen.areas_px == filmed.ZONE_PX**2).all() and len(seen.areas_px) > 50
+    assert seen.with_region == seen.held == len(seen.off) == 0
+    said = Filmed("nobody", (seen, seen)).facts()
+    for name in ("area_px", "saving", "saving_of_fitted"):
+        assert said[name] is None
+    assert said["measurement_variances"] == [None, None]
+    assert said["hit_rate"] == said["with_region"] == 0 and said["constant_area_px"] > 0
+    # With another drive that is followed the zone counts.
+    found = filmed.follow(filmed.pipeline_of("omalley2000_identified", unit), one)
+    both = Filmed("half of it", (seen, found))
+    assert both.with_region == both.hit_rate == 0.5 and both.worst_hit_rate == 0
+    assert both.area_px == pytest.approx((filmed.ZONE_PX**2 + found.areas_px.mean()) / 2)
+
+
+def test_presets_that_never_follow_are_reported_so(made: measured.Made) -> None:
+    def never(one: Filmed) -> Filmed:
+        return dataclasses.replace(
+            one,
+            drives=tuple(
+                dataclasses.replace(drive, with_region=0, held=0, off=np.empty((0, 2)))
+                for drive in one.drives
+            ),
+        )
+
+    lost = dataclasses.replace(made, filmed=[never(one) for one in made.filmed])
+    text = json.dumps(facts(lost, []), allow_nan=False)
+    assert "never followed" in text
+    assert "nan" not in report(lost, [], dict.fromkeys(PLOT_TEXTS, "")).split("## Filmed")[1]
 
 
 def test_footage_is_read_whole_and_in_regions() -> None:

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <string>
 
@@ -20,9 +21,17 @@ void check_matrix(const std::string& name, const MatrixView& matrix, Eigen::Inde
 void check_covariance(const std::string& name, const MatrixView& matrix, Eigen::Index size,
                       Covariances covariances = Covariances::checked);
 
+/// A square root of a covariance that may be singular; see covariance_root().
+Eigen::MatrixXd semidefinite_root(const std::string& name, const MatrixView& P);
+
 /// A square root L of a covariance, L L' = P: lower triangular if P is positive definite. Throws `InputError`
 /// naming P and its smallest eigenvalue if that is below 0.
-Eigen::MatrixXd covariance_root(const std::string& name, const MatrixView& P);
+template <int N>
+Eigen::Matrix<double, N, N> covariance_root(const std::string& name, const Eigen::Matrix<double, N, N>& P) {
+  const Eigen::LLT<Eigen::Matrix<double, N, N>> cholesky(P);
+  if (cholesky.info() == Eigen::Success) return cholesky.matrixL();
+  return semidefinite_root(name, P);
+}
 
 /// Throw an `InputError` each; apart from the code that they are called in, which is to stay short.
 [[noreturn]] void throw_singular(const std::string& name, const MatrixView& matrix);

@@ -13,7 +13,8 @@ namespace survtrack {
 
 /// The extended Kalman filter: a non-linear model, linearised where the estimate is. Equations: Bar-Shalom, Li and
 /// Kirubarajan 2001, 10.3.
-/// `ExtendedKalmanFilter<4, 2>` has 4 states and 2 measured numbers; `ExtendedKalmanFilter<>` takes its sizes from the model.
+/// `ExtendedKalmanFilter<4, 2>` has 4 states and 2 measured numbers and allocates nothing; `ExtendedKalmanFilter<>`
+/// takes its sizes from the model.
 template <int N = Eigen::Dynamic, int M = Eigen::Dynamic>
 class ExtendedKalmanFilter {
  public:
@@ -39,7 +40,7 @@ class ExtendedKalmanFilter {
   /// x = f(x, u), P = F P F' + Q with F the derivative at the estimate before.
   void predict(const Eigen::VectorXd& u = {}) {
     // The derivative at the estimate before, not at the predicted one.
-    const StateMatrix F = F_ ? F_(x_, u) : StateMatrix(numeric_jacobian([&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return model_.moved(x, u); }, x_));
+    const StateMatrix F = F_ ? F_(x_, u) : numeric_jacobian<N>([&](const State& x) { return model_.moved(x, u); }, x_);
     check_matrix("F", F, x_.size(), x_.size());
     const State x = model_.moved(x_, u);
     const StateMatrix P = F * P_ * F.transpose() + model_.Q;
@@ -72,8 +73,8 @@ class ExtendedKalmanFilter {
 
  private:
   MeasurementMatrix measure_jacobian() const {
-    const MeasurementMatrix H =
-        H_ ? H_(x_) : MeasurementMatrix(numeric_jacobian([&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return model_.measured(x); }, x_, model_.residual));
+    const auto measured = [this](const State& x) { return model_.measured(x); };
+    const MeasurementMatrix H = H_ ? H_(x_) : numeric_jacobian<M>(measured, x_, model_.residual);
     check_matrix("H", H, model_.R.rows(), x_.size());
     return H;
   }

@@ -4,10 +4,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "survtrack/core/errors.hpp"
 #include "survtrack/filtering/correction.hpp"
+#include "survtrack/filtering/covariance.hpp"
 
 namespace survtrack {
 
@@ -60,8 +63,32 @@ struct NonlinearModel {
 
 /// The derivative of `function` at x by central differences: column j is (f(x + d_j) - f(x - d_j)) / 2 d_j with d_j the
 /// third root of the machine precision, times the size of x_j where that is above 1. `difference` is how two values
-/// differ, a - b if empty. The values may not be empty nor change their size; throws `InputError`.
-Eigen::MatrixXd numeric_jacobian(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& function,
-                                 const Eigen::VectorXd& x, const Residual& difference = {});
+/// differ, a - b if empty. The values may not be empty nor change their size; throws `InputError`. `Rows`: how many
+/// numbers they have, if that is known.
+template <int Rows = Eigen::Dynamic, class Function, int N>
+Eigen::Matrix<double, Rows, N> numeric_jacobian(const Function& function, const Eigen::Matrix<double, N, 1>& x,
+                                                const Residual& difference = {}) {
+  using Value = Eigen::Matrix<double, Rows, 1>;
+  constexpr double third_root = 6.0554544523933395e-06;  // of 2^-52: rounding and curvature err alike
+  check_matrix("x", x, x.size(), 1);
+  Eigen::Matrix<double, Rows, N> J;
+  Eigen::Matrix<double, N, 1> at = x;
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    const double step = third_root * std::max(1.0, std::abs(x(j)));
+    const double above = x(j) + step, below = x(j) - step;
+    at(j) = above;
+    const Value ahead = function(at);
+    at(j) = below;
+    const Value behind = function(at);
+    at(j) = x(j);
+    if (j == 0) J.resize(ahead.size(), x.size());
+    check_matrix("function", ahead, J.rows(), 1);
+    check_matrix("function", behind, J.rows(), 1);
+    const Value apart = difference ? Value(difference(ahead, behind)) : Value(ahead - behind);
+    check_matrix("difference", apart, J.rows(), 1);
+    J.col(j) = apart / (above - below);
+  }
+  return J;
+}
 
 }  // namespace survtrack

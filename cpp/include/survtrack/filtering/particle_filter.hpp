@@ -110,12 +110,12 @@ class ParticleFilter {
   }
 
  private:
-  void add_noise(Particles& particles, const Eigen::MatrixXd& root) {
+  void add_noise(Particles& particles, const StateMatrix& root) {
     if (root.isZero(0.0)) return;
     State normal = State::Zero(root.rows());
     for (Eigen::Index i = 0; i < particles.cols(); ++i) {
       for (double& number : normal) number = random_.normal();
-      particles.col(i) += root * normal;
+      particles.col(i).noalias() += root * normal;
     }
   }
   void resample() {
@@ -130,7 +130,7 @@ class ParticleFilter {
   Model model_;
   Options options_;
   Random random_;
-  Eigen::MatrixXd noise_root_;
+  StateMatrix noise_root_;
   Particles particles_;
   Eigen::VectorXd weights_;
   double log_likelihood_ = 0.0;

@@ -23,10 +23,10 @@ struct SigmaPoints {
 /// Throws `InputError` for what is out of its range, with n states.
 void check_sigma_points(const SigmaPoints& points, Eigen::Index n);
 
-
 /// The unscented Kalman filter: sigma points go through f and h, no derivatives are needed. The points are drawn anew
 /// for the update, so that Q counts in it.
-/// `UnscentedKalmanFilter<4, 2>` has 4 states and 2 measured numbers; `UnscentedKalmanFilter<>` takes its sizes from the model.
+/// `UnscentedKalmanFilter<4, 2>` has 4 states and 2 measured numbers and allocates nothing; `UnscentedKalmanFilter<>`
+/// takes its sizes from the model.
 template <int N = Eigen::Dynamic, int M = Eigen::Dynamic>
 class UnscentedKalmanFilter {
  public:

@@ -40,9 +40,9 @@ struct PredictedRegionsOptions {
   bool whole_object = true;
   double margin = 0.2;
   double growth = 1.5;
-  Acquisition acquisition = Acquisition::border;
+  Acquisition acquisition = Acquisition::strip;
   double border = 0.05;
-  int refresh_frames = 20;
+  int refresh_frames = 10;
   double whole_above = 0.9;
 
   static constexpr auto fields() {
@@ -67,7 +67,7 @@ struct PredictedRegionsOptions {
               between(0, 100000)),
         field("whole_above", &O::whole_above, "",
               "a frame is read whole where its regions would cost more than this part of what the whole frame costs: a pixel "
-              "each, and 64 more for every piece of a row",
+              "each, and 64 more for every piece of a row, as selective takes",
               between(0, 100)));
   }
 };

@@ -1,114 +1,46 @@
 # SPDX-FileCopyrightText: 2026 The survtrack developers
 # SPDX-License-Identifier: Apache-2.0
-"""The drive filmed, and followed by the presets as they are, through the whole pipeline."""
+"""Drives filmed, and followed by the presets as they are, through the whole pipeline."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 import survtrack
-from survtrack.experiments.omalley2000 import published, race, regions
+from survtrack.experiments.omalley2000 import film, published, race, regions
+from survtrack.experiments.omalley2000.followed import Filmed, Followed
 from survtrack.experiments.omalley2000.race import Race
 
 if TYPE_CHECKING:
     from survtrack._core import FrameResult
 
 Floats = NDArray[np.float64]
-Image = NDArray[np.uint8]
 
 PRESETS = ("omalley2000", "omalley2000_identified")
-FRAMES = 4 * published.DATAPOINTS
-WARM_UP = 100  # frames: the background, and the way to where newcomers are looked for
-EMPTY = 25  # frames before the car comes
-SEED = 3
-NOISE_SIGMA = 2.0  # grey levels of the camera
-CAR_BGR = (30, 30, 220)
-GRAINS = 8  # pictures of noise, in turn
-
-
-@dataclass(frozen=True, eq=False)
-class Filmed:
-    """What a preset read of the drive.
-
-    Attributes:
-        preset: its name.
-        frames: in which the car could have been followed.
-        areas_px: of the regions; a frame without one has none.
-        held: of these frames, those in which the whole car lay in its region.
-        constant_px: area of the smallest constant box that holds the car as often.
-        pixels: part of all pixels that was read.
-        variances: (2,) of the measured S and T about the truth, in the track's units.
-    """
-
-    preset: str
-    frames: int
-    areas_px: Floats
-    held: int
-    constant_px: float
-    pixels: float
-    variances: Floats
-
-    @property
-    def hit_rate(self) -> float:
-        """0 to 1."""
-        return self.held / self.frames
-
-    @property
-    def saving(self) -> float:
-        """Part of the constant box's area that is not read."""
-        return 1 - float(self.areas_px.mean()) / self.constant_px
-
-    def facts(self) -> dict[str, Any]:
-        """As results.json holds them."""
-        return {
-            "preset": self.preset,
-            "frames": self.frames,
-            "area_px": float(self.areas_px.mean()),
-            "hit_rate": self.hit_rate,
-            "constant_area_px": self.constant_px,
-            "saving": self.saving,
-            "pixels": self.pixels,
-            "measurement_variances": self.variances.tolist(),
-        }
+SEEDS = (1, 2, 3, 4, 5, 6)  # of the drives
+FRAMES = 300  # of each: four laps of the slowest
+LAPS = (3, 4)  # the fourth counts: until then the scene's scale is learned, and regions grow by it
+ZONE_PX = 80.0  # side of that place
 
 
 def frames() -> int:
     """Of all runs, for the progress."""
-    return len(PRESETS) * FRAMES
+    return len(PRESETS) * len(SEEDS) * FRAMES
 
 
 def measure(tick: Callable[[int], None]) -> list[Filmed]:
-    """Film the drive and follow it with each of the presets."""
-    one = race.race(FRAMES, SEED)
-    cars = regions.car_corners_px(one)
+    """Film the drives and follow them with each of the presets."""
+    drives = [race.race(FRAMES, seed, race.drawn(seed)) for seed in SEEDS]
     found = []
     for preset in PRESETS:
-        found.append(_follow(preset, one, cars))
-        tick(FRAMES)
+        each = []
+        for one in drives:
+            each.append(follow(pipeline_of(preset, one.unit_px), one))
+            tick(FRAMES)
+        found.append(Filmed(preset, tuple(each)))
     return found
-
-
-def pictures(cars: Floats) -> Iterator[Image]:
-    """The empty scene, then the car where it is; the same every time.
-
-    Args:
-        cars: (N, 4, 2) corners.
-    """
-    rng = np.random.default_rng(SEED)
-    width, height = race.SIZE
-    ground = cv2.GaussianBlur(rng.uniform(60, 140, (height, width, 3)), (0, 0), 2)
-    grains = rng.normal(0, NOISE_SIGMA, (GRAINS, height, width, 3))
-    empty = [np.clip(ground + grain, 0, 255).astype(np.uint8) for grain in grains]
-    for index in range(-EMPTY, len(cars)):
-        picture = empty[index % GRAINS].copy()
-        if index >= 0:
-            sixteenths = np.round(16 * cars[index]).astype(np.int32)
-            cv2.fillConvexPoly(picture, sixteenths, CAR_BGR, cv2.LINE_AA, shift=4)
-        yield picture
 
 
 def pipeline_of(preset: str, unit_px: float) -> survtrack.Pipeline:
@@ -119,48 +51,61 @@ def pipeline_of(preset: str, unit_px: float) -> survtrack.Pipeline:
     track = survtrack.Path(race.POINTS, closed=True, kind="curve", max_distance_px=40)
     pipeline.load_paths(survtrack.Paths({"track": track}, race.SIZE))
     x, y = track.to_image(np.zeros((1, 2)))[0]
-    pipeline.load_zones([survtrack.Box(x - 40, y - 40, 80, 80)])
+    pipeline.load_zones([survtrack.Box(x - ZONE_PX / 2, y - ZONE_PX / 2, ZONE_PX, ZONE_PX)])
     return pipeline
 
 
-def _follow(preset: str, one: Race, cars: Floats) -> Filmed:
-    path = race.track()
-    pipeline = pipeline_of(preset, one.unit_px)
-    step = np.array([one.unit_px * published.START[2] * published.PERIOD_S, 0.0])
-    areas, needed, off = [], [], []
-    held = counted = read = 0
-    before = np.full(2, np.nan)  # the place of the frame before
-    for number, picture in enumerate(pictures(cars)):
+def counted(one: Race) -> slice:
+    """The frames between LAPS, from where the car started."""
+    driven = np.unwrap(one.truth[:, 0], period=published.LENGTH)
+    first, last = np.searchsorted(driven - driven[0], published.LENGTH * np.array(LAPS))
+    return slice(int(first), int(last))
+
+
+def follow(pipeline: survtrack.Pipeline, one: Race) -> Followed:
+    """Film a drive and follow it."""
+    cars = regions.car_corners_px(one)
+    span = counted(one)
+    areas: list[float] = []
+    off: list[Floats] = []
+    with_region = held = read = 0
+    for number, picture in enumerate(film.pictures(cars[: span.stop])):
         result = pipeline.process(picture, number * published.PERIOD_S)
         assert result is not None
-        index = number - EMPTY
-        place = _place(result)
-        if index >= WARM_UP:
-            counted += 1
-            read += result.pixels_read
-            region = next((r.box for r in result.regions if r.kind.name == "predicted"), None)
-            if region is not None:
-                areas.append(region.area_px)
-                held += regions.holds(region, cars[index])
-            if np.isfinite(before).all():
-                middle = path.to_image(path.to_path(before[None]) + step)[0]
-                needed.append(2 * np.abs(cars[index] - middle).max(axis=0))
-            if place is not None and result.tracks[0].detection >= 0:
-                off.append(path.to_path(place[None])[0] / one.unit_px - one.truth[index, :2])
-        before = np.full(2, np.nan) if place is None else place
-    away = np.array(off)
-    away[:, 0] = survtrack.wrapped_difference(away[:, 0], published.LENGTH)
-    # Below one half a box of the same rate says nothing.
-    width, height = regions.smallest_sides(np.array(needed), max(held / counted, 0.5))
-    part = read / (counted * race.SIZE[0] * race.SIZE[1])
-    return Filmed(preset, counted, np.array(areas), held, width * height, part, away.var(axis=0))
+        index = number - film.EMPTY
+        if index < span.start:
+            continue
+        boxes = [region.box for region in result.regions if region.kind.name == "predicted"]
+        areas.append(sum(box.area_px for box in boxes) if boxes else ZONE_PX**2)
+        with_region += bool(boxes)
+        held += any(regions.holds(box, cars[index]) for box in boxes)
+        read += result.pixels_read
+        off += _off(result, one, index)
+    steps = np.diff(np.unwrap(one.truth[:, 0], period=published.LENGTH))
+    return Followed(
+        np.array(areas),
+        with_region,
+        held,
+        read,
+        _needed_px(one, cars, span, published.START[2] * published.PERIOD_S),
+        _needed_px(one, cars, span, float(steps[span.start - 1 : span.stop - 1].mean())),
+        np.reshape(off, (-1, 2)),
+    )
 
 
-def _place(result: "FrameResult") -> Floats | None:
-    """Where the car is measured, px; where it is filtered if it is not; None without a track."""
-    if not result.tracks:
-        return None
-    track = result.tracks[0]
-    if track.detection < 0:
-        return np.array(track.position)
-    return np.array(result.detections[track.detection].position)
+def _off(result: "FrameResult", one: Race, index: int) -> list[Floats]:
+    """(2,) measured less true S and T of each track that is measured."""
+    found = []
+    for track in result.tracks:
+        if track.detection >= 0:
+            place = np.array(result.detections[track.detection].position)
+            off = race.track().to_path(place[None])[0] / one.unit_px - one.truth[index, :2]
+            found.append(np.array([survtrack.wrapped_difference(off[0], published.LENGTH), off[1]]))
+    return found
+
+
+def _needed_px(one: Race, cars: Floats, span: slice, step: float) -> Floats:
+    """(N, 2) sides of a box that holds the car, a step ahead of the true place a frame before."""
+    before = one.truth[span.start - 1 : span.stop - 1, :2]
+    middles = np.asarray(race.track().to_image(one.unit_px * (before + np.array([step, 0.0]))))
+    return np.asarray(2 * np.abs(cars[span] - middles[:, None]).max(axis=1))

@@ -33,9 +33,9 @@ VARIANTS = {
         in_frames=False,
     ),
     "3 sigmas": Variant("survtrack", (_PREDICTED,), in_frames=False),
-    "3 sigmas, strips for newcomers": Variant(
+    "3 sigmas, border for newcomers": Variant(
         "survtrack",
-        (_PREDICTED, "regions.acquisition=strip", "regions.refresh_frames=10"),
+        (_PREDICTED, "regions.acquisition=border", "regions.refresh_frames=20"),
         in_frames=False,
     ),
     "fixed box": Variant(

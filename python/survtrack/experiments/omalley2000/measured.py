@@ -19,8 +19,8 @@ from survtrack.experiments.omalley2000 import (
     region_trials,
 )
 from survtrack.experiments.omalley2000.errata import measure_errata
-from survtrack.experiments.omalley2000.filmed import Filmed
 from survtrack.experiments.omalley2000.filters import Filtered
+from survtrack.experiments.omalley2000.followed import Filmed
 from survtrack.experiments.omalley2000.race import Race
 from survtrack.experiments.omalley2000.region_trials import Regions
 from survtrack.experiments.semko2007.errata import Erratum
@@ -60,7 +60,7 @@ class Made:
         runs, errors: by the names in NAMES.
         raw: rms errors of T, vS and vT, as they are measured and differenced.
         densities: identified, of S and T.
-        filmed: what the presets read of the drive, through the whole pipeline.
+        filmed: what the presets read of filmed drives, through the whole pipeline.
     """
 
     race: Race
