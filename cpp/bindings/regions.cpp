@@ -3,6 +3,8 @@
 
 #include <pybind11/native_enum.h>
 
+#include <cmath>
+
 #include "bindings.hpp"
 #include "survtrack/core/errors.hpp"
 #include "survtrack/core/region.hpp"
@@ -13,6 +15,21 @@ namespace {
 
 using Pair = std::pair<double, double>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using RegionState = py::typing::Tuple<Box, RegionKind, std::int64_t>;
+
+Region make_region(const Box& box, RegionKind kind, std::int64_t track_id) {
+  const bool finite = std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) && std::isfinite(box.height);
+  if (!finite || box.width <= 0.0 || box.height <= 0.0) {
+    throw InputError("box: " + std::string(py::repr(py::cast(box))) +
+                     " is not allowed; expected finite numbers, with a width and height above 0");
+  }
+  if (track_id < 0) throw InputError("track_id: " + std::to_string(track_id) + " is not allowed; expected 0 or more");
+  if (track_id > 0 && kind != RegionKind::predicted) {
+    throw InputError("track_id: " + std::to_string(track_id) + " is not allowed of the kind " + to_string(kind) +
+                     "; expected 0, or the kind predicted");
+  }
+  return {box, kind, track_id};
+}
 
 Symmetric2 covariance_of(const Numbers& matrix, const char* name) {
   if (matrix.ndim() != 2 || matrix.shape(0) != 2 || matrix.shape(1) != 2 || matrix.at(0, 1) != matrix.at(1, 0)) {
@@ -36,11 +53,9 @@ void bind_region_values(py::module_& module) {
       .value("refresh", RegionKind::refresh, "In turn, so that the background stays up to date.")
       .finalize();
   py::class_<Region>(module, "Region", "A part of a frame that is read.")
-      .def(py::init([](const Box& box, RegionKind kind, std::int64_t track_id) {
-             if (track_id < 0) throw InputError("track_id: " + std::to_string(track_id) + " is not allowed; expected 0 or more");
-             return Region{box, kind, track_id};
-           }),
-           py::arg("box"), py::arg("kind"), py::arg("track_id") = 0, "Raises InputError for a track_id below 0.")
+      .def(py::init(&make_region), py::arg("box"), py::arg("kind"), py::arg("track_id") = 0,
+           "box: px, finite, width and height above 0; track_id: 0 or more, and 0 of every kind but predicted. Raises\n"
+           "InputError.")
       .def_readonly("box", &Region::box, "px")
       .def_readonly("kind", &Region::kind)
       .def_readonly("track_id", &Region::track_id, "Of a predicted one; 0: of a tentative track, or of none.")
@@ -51,7 +66,12 @@ void bind_region_values(py::module_& module) {
       .def("__repr__", [](const Region& r) {
         return py::str("Region({}, ({:.6g}, {:.6g}, {:.6g}, {:.6g}), track_id={})")
             .format(to_string(r.kind), r.box.x, r.box.y, r.box.width, r.box.height, r.track_id);
-      });
+      })
+      // Any region of the core's own comes back as it was: no checks.
+      .def(py::pickle([](const Region& r) -> RegionState { return py::make_tuple(r.box, r.kind, r.track_id); },
+                      [](const RegionState& state) {
+                        return Region{state[0].cast<Box>(), state[1].cast<RegionKind>(), state[2].cast<std::int64_t>()};
+                      }));
 }
 
 void bind_regions(py::module_& module) {

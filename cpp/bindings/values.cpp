@@ -13,6 +13,8 @@
 namespace survtrack::bindings {
 namespace {
 
+using BoxState = py::typing::Tuple<double, double, double, double>;
+
 std::string box_repr(const Box& b) {
   return py::str("Box(x={:.6g}, y={:.6g}, width={:.6g}, height={:.6g})").format(b.x, b.y, b.width, b.height);
 }
@@ -34,7 +36,12 @@ void bind_box(py::module_& module) {
       })
       .def("__eq__", [](const Box& a, const py::object& b) { return py::isinstance<Box>(b) && a == b.cast<Box>(); })
       .def("__hash__", [](const Box& b) { return py::hash(py::make_tuple(b.x, b.y, b.width, b.height)); })
-      .def("__repr__", &box_repr);
+      .def("__repr__", &box_repr)
+      .def(py::pickle([](const Box& b) -> BoxState { return py::make_tuple(b.x, b.y, b.width, b.height); },
+                      [](const BoxState& state) {
+                        const auto number = [&](py::size_t k) { return state[k].cast<double>(); };
+                        return Box{number(0), number(1), number(2), number(3)};
+                      }));
   module.def("iou", &iou, py::arg("a"), py::arg("b"), "Intersection over union of two boxes, 0 to 1.");
 }
 

@@ -166,6 +166,7 @@ class Box:
     An axis-parallel box: left and top edge and size, in px.
     """
     def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __getstate__(self) -> tuple[float, float, float, float]: ...
     def __hash__(self) -> int: ...
     def __init__(
         self,
@@ -176,6 +177,15 @@ class Box:
     ) -> None: ...
     def __iter__(self) -> collections.abc.Iterator[float]: ...
     def __repr__(self) -> str: ...
+    def __setstate__(
+        self,
+        arg0: tuple[
+            typing.SupportsFloat | typing.SupportsIndex,
+            typing.SupportsFloat | typing.SupportsIndex,
+            typing.SupportsFloat | typing.SupportsIndex,
+            typing.SupportsFloat | typing.SupportsIndex,
+        ],
+    ) -> None: ...
     @property
     def area_px(self) -> float:
         """
@@ -232,14 +242,19 @@ class Region:
     A part of a frame that is read.
     """
     def __eq__(self, arg0: typing.Any) -> bool: ...
+    def __getstate__(self) -> tuple[Box, RegionKind, int]: ...
     def __hash__(self) -> int: ...
     def __init__(
         self, box: Box, kind: RegionKind, track_id: typing.SupportsInt | typing.SupportsIndex = 0
     ) -> None:
         """
-        Raises InputError for a track_id below 0.
+        box: px, finite, width and height above 0; track_id: 0 or more, and 0 of every kind but predicted. Raises
+        InputError.
         """
     def __repr__(self) -> str: ...
+    def __setstate__(
+        self, arg0: tuple[Box, RegionKind, typing.SupportsInt | typing.SupportsIndex]
+    ) -> None: ...
     @property
     def box(self) -> Box:
         """

@@ -4,7 +4,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
@@ -12,10 +12,19 @@ from survtrack._core import Path, Paths
 from survtrack.errors import InputError
 from survtrack.evaluation.files import StrPath, read_bytes
 
-if TYPE_CHECKING:
-    from survtrack._core import Track
-
 FARTHEST_PX = 1e9  # a lost track's prediction can be anywhere; what is farther is by no path
+
+
+class Moving(Protocol):
+    """What is somewhere and moves: a Track, or one of a track stream."""
+
+    @property
+    def position(self) -> tuple[float, float]:
+        """(x, y), px."""
+
+    @property
+    def velocity_px_per_s(self) -> tuple[float, float]:
+        """(x, y)."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +63,7 @@ def require_frame_size(paths: Paths, size: tuple[int, int] | None, source: StrPa
         raise InputError(f"{source}: is for frames of {drawn}, the run's are {seen}")
 
 
-def places_of(track: "Track", paths: Paths) -> list[TrackPlace]:
+def places_of(track: Moving, paths: Paths) -> list[TrackPlace]:
     """Where a track is by each path but those that it is too far from: see max_distance_px."""
     position, velocity = (
         np.array([each], float) for each in (track.position, track.velocity_px_per_s)
@@ -70,7 +79,7 @@ def places_of(track: "Track", paths: Paths) -> list[TrackPlace]:
     return places
 
 
-def nearest_place(track: "Track", paths: Paths) -> TrackPlace | None:
+def nearest_place(track: Moving, paths: Paths) -> TrackPlace | None:
     """Where a track is by the path nearest to it; None when it is too far from all."""
     center = np.array(track.position, float)
 

@@ -83,7 +83,7 @@ SPREADS = st.tuples(
 
 CORRELATIONS = st.floats(-1, 1)
 EDGES = st.floats(-20, 80) | st.integers(-3, 70)
-LENGTHS = st.floats(0, 90) | st.integers(0, 64)
+LENGTHS = st.floats(0, 90, exclude_min=True) | st.integers(1, 64)
 
 
 def covariance(spread: tuple[float, float, float]) -> np.ndarray:

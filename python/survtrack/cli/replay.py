@@ -11,11 +11,14 @@ import typer
 from survtrack.cli import options
 from survtrack.cli.progress import show_progress
 from survtrack.errors import InputError, UsageError
+from survtrack.path_file import read_paths, require_frame_size
 from survtrack.replay.filling import MAX_GAP_S
 from survtrack.replay.film import VIEWS, replay_stream
 from survtrack.replay.ground import read_ground
+from survtrack.replay.reader import TrackStreamReader
 
 if TYPE_CHECKING:
+    from survtrack._core import Paths
     from survtrack.sources.base import Frame
 
 FileArgument = Annotated[
@@ -69,6 +72,16 @@ GapOption = Annotated[
     ),
 ]
 
+PathOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--path",
+        metavar="FILE",
+        help="Predict tracks near the paths of FILE (JSON) along them, and draw these: the file of "
+        "`survtrack run --path`.",
+    ),
+]
+
 
 def replay(
     file: FileArgument,
@@ -78,6 +91,7 @@ def replay(
     ground: GroundOption = None,
     fps: FpsOption = None,
     max_gap_s: GapOption = MAX_GAP_S,
+    path_file: PathOption = None,
     as_json: options.JsonOption = False,
     quiet: options.QuietOption = False,
 ) -> None:
@@ -89,11 +103,12 @@ def replay(
         raise UsageError(f"--out {out}: is the stream itself")
     picture = None if background is None else _first_frame(background)
     plan = None if ground is None else read_ground(ground)
+    paths = None if path_file is None else _read_paths(path_file, file)
     with show_progress(None, quiet=quiet or out is None) as progress:
         facts = replay_stream(
             file, out,
             background=picture, view=view, ground=plan,
-            fps=fps, max_gap_s=max_gap_s, progress=progress,
+            fps=fps, max_gap_s=max_gap_s, paths=paths, progress=progress,
         )  # fmt: skip
     if as_json:
         print(json.dumps(facts, allow_nan=False))
@@ -109,6 +124,13 @@ def _first_frame(source: str) -> "Frame":
     for _, _, frame in open_source(source, limit=1):
         return frame
     raise InputError(f"{source}: holds no frames")
+
+
+def _read_paths(path_file: Path, stream: Path) -> "Paths":
+    """The paths; raises InputError, which names their file, for those of other frames."""
+    paths, header = read_paths(path_file), TrackStreamReader(stream).header
+    require_frame_size(paths, (header.width_px, header.height_px), path_file)
+    return paths
 
 
 def _print_facts(facts: dict[str, Any]) -> None:

@@ -12,6 +12,7 @@ from survtrack.drawing.boxes import OUTSIDE_PX, corners
 from survtrack.drawing.colors import BLACK, Color, color_of_id
 from survtrack.drawing.markers import RED, unit_ellipse
 from survtrack.drawing.paper import plain_ground
+from survtrack.drawing.paths import draw_paths
 from survtrack.drawing.regions import COLORS, outline
 from survtrack.drawing.scene import (
     Point,
@@ -25,7 +26,7 @@ from survtrack.drawing.scene import (
 from survtrack.errors import InputError
 
 if TYPE_CHECKING:
-    from survtrack._core import Box
+    from survtrack._core import Box, Paths
     from survtrack.replay.filling import Shown
     from survtrack.replay.values import StreamFrame, StreamTrack
 
@@ -70,15 +71,20 @@ class OverView:
     next frame, orange those where newcomers were looked for in it.
     """
 
-    def __init__(self, size: tuple[int, int], background: Scene | None = None) -> None:
+    def __init__(
+        self, size: tuple[int, int], background: Scene | None = None, paths: "Paths | None" = None
+    ) -> None:
         """Args:
         size: (width, height) of the stream's frames in px.
         background: HxW or HxWx3 uint8, of any size with the same ratio of its sides.
+        paths: drawn on the background.
 
         Raises:
             InputError: the background has another ratio of sides.
         """
         self._ground = plain_ground(size) if background is None else _fitted(background, size)
+        if paths is not None:
+            draw_paths(self._ground, paths)
         self._trails = Trails()
 
     def __call__(self, shown: "Shown") -> Scene:

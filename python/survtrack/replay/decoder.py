@@ -60,7 +60,8 @@ class TrackStreamDecoder:
             return None
         if self.header is None:
             return f"{self._name}: is cut in its header; it holds no frames"
-        return f"{self._name}: is cut {after}; what was before is whole"
+        before = "what was before is whole" if self.frame_count else "it holds no whole frame"
+        return f"{self._name}: is cut {after}; {before}"
 
     def feed(self, data: bytes) -> list[StreamFrame]:
         """The frames that these bytes complete; none after damage.

@@ -4,15 +4,20 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from survtrack.errors import UsageError
 from survtrack.replay.damping import check_damping
 from survtrack.replay.motion import moved
 from survtrack.replay.values import StreamFrame
 
+if TYPE_CHECKING:
+    from survtrack._core import Paths
+
 MAX_GAP_S = 2.5  # as long as the default lifecycle keeps a track that is lost
 MOST_FPS = 1000.0
 MOST_GAP_S = 3600.0
+MOST_PREDICTED_S = 1e9  # whatever a stream holds, the numbers stay finite so long
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,26 +34,35 @@ class Shown:
 
 
 def predicted(
-    frame: StreamFrame, time_s: float, lost_damping_s: float | None = None
+    frame: StreamFrame,
+    time_s: float,
+    lost_damping_s: float | None = None,
+    paths: "Paths | None" = None,
 ) -> StreamFrame:
     """The frame as it is expected to be at a later time, by one step of its tracks' filters.
 
     Positions and boxes move on with their velocities, and the covariance of a position becomes
     P + t (C + C') + t^2 V + t^3 / 3 q, with those of position (P), of position and velocity (C), of
-    velocity (V) and its noise (q): docs/replay.md.
+    velocity (V) and its noise (q): docs/replay.md. What is near a path does so along and across it.
 
     Args:
         frame: as it was recorded.
-        time_s: when; not before the frame's own time.
+        time_s: when; from the frame's own time to 1e9 s after it.
         lost_damping_s: the velocity of a lost track falls to 1/e in it, 0 to 1e9; None: it does
             not. The stream's header has it.
+        paths: on frames of the stream's size; a track within max_distance_px of one goes along the
+            nearest of them. None: all go straight on.
 
     Raises:
-        UsageError: lost_damping_s is out of its bounds.
+        UsageError: time_s or lost_damping_s is out of its bounds.
     """
     check_damping(lost_damping_s)
     passed_s = time_s - frame.time_s
-    tracks = tuple(moved(track, passed_s, lost_damping_s) for track in frame.tracks)
+    if not 0 <= passed_s <= MOST_PREDICTED_S:
+        raise UsageError(
+            f"time: {time_s} s is not allowed; the frame's own, {frame.time_s} s, to 1e9 s later"
+        )
+    tracks = tuple(moved(track, passed_s, lost_damping_s, paths) for track in frame.tracks)
     return replace(frame, time_s=time_s, tracks=tracks, predicted_s=passed_s, regions=())
 
 
@@ -58,6 +72,7 @@ def paced(
     *,
     lost_damping_s: float | None = None,
     max_gap_s: float = MAX_GAP_S,
+    paths: "Paths | None" = None,
 ) -> Iterator[Shown]:
     """What to show, 1 / fps apart, from the first frame to the last.
 
@@ -70,6 +85,7 @@ def paced(
         fps: pictures per second, above 0, at most 1000.
         lost_damping_s: as for predicted().
         max_gap_s: 0 to 3600.
+        paths: as for predicted().
 
     Raises:
         UsageError: fps, lost_damping_s or max_gap_s is out of its bounds.
@@ -79,11 +95,15 @@ def paced(
         raise UsageError(f"fps: {fps} pictures/s is not allowed; above 0, at most {MOST_FPS:g}")
     if not 0 <= max_gap_s <= MOST_GAP_S:
         raise UsageError(f"max_gap: {max_gap_s} s is not allowed; 0 to {MOST_GAP_S:g}")
-    return _paced(iter(frames), fps, lost_damping_s, max_gap_s)
+    return _paced(iter(frames), fps, max_gap_s, lost_damping_s, paths)
 
 
 def _paced(
-    rest: Iterator[StreamFrame], fps: float, lost_damping_s: float | None, max_gap_s: float
+    rest: Iterator[StreamFrame],
+    fps: float,
+    max_gap_s: float,
+    lost_damping_s: float | None,
+    paths: "Paths | None",
 ) -> Iterator[Shown]:
     current, following = next(rest, None), next(rest, None)
     if current is None:
@@ -103,7 +123,7 @@ def _paced(
             began_s, count = following.time_s, 0
             continue
         else:
-            yield Shown(predicted(current, time_s, lost_damping_s), following)
+            yield Shown(predicted(current, time_s, lost_damping_s, paths), following)
         count += 1
 
 

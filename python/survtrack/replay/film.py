@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from survtrack.errors import UsageError
 from survtrack.evaluation.files import StrPath
+from survtrack.path_file import require_frame_size
 from survtrack.replay.figures import StreamFigures, source_bytes_of
 from survtrack.replay.filling import MAX_GAP_S, Shown, paced
 from survtrack.replay.ground import GroundMap
@@ -15,6 +16,7 @@ from survtrack.replay.reader import TrackStreamReader
 from survtrack.replay.values import StreamFrame, StreamHeader
 
 if TYPE_CHECKING:
+    from survtrack._core import Paths
     from survtrack.sources.base import Frame
 
 VIEWS = ("over", "above")
@@ -29,6 +31,7 @@ def replay_stream(
     ground: GroundMap | None = None,
     fps: float | None = None,
     max_gap_s: float = MAX_GAP_S,
+    paths: "Paths | None" = None,
     progress: Callable[[int], None] | None = None,
 ) -> dict[str, Any]:
     """Make the scene of a track stream again, without its video, and count what the stream costs.
@@ -41,6 +44,7 @@ def replay_stream(
         ground: from pixels to the ground, for "above"; in px when None.
         fps: pictures per second; the stream's own when None.
         max_gap_s: how long missing frames are predicted, see paced().
+        paths: what tracks near them are predicted along; drawn in the view "over".
         progress: called after each picture with their number.
 
     Returns:
@@ -51,7 +55,8 @@ def replay_stream(
         "fps", "pictures" and "predicted_pictures".
 
     Raises:
-        InputError: the stream cannot be read, or the background has another form than its frames.
+        InputError: the stream cannot be read, the background has another form than its frames, or
+            the paths are drawn on frames of another size.
         UsageError: an unknown view, what only the other view takes, or a number out of its bounds.
         OSError: the video cannot be written.
     """
@@ -59,10 +64,12 @@ def replay_stream(
     path = Path(path)
     reader = TrackStreamReader(path)
     header = reader.header
+    if paths is not None:
+        require_frame_size(paths, (header.width_px, header.height_px), "paths")
     fps = header.fps if fps is None else fps
     paced([], fps, max_gap_s=max_gap_s)
     source_bytes = source_bytes_of(path)
-    render, figures = _prepared(reader, background, view, ground)
+    render, figures = _prepared(reader, background, view, ground, paths)
     facts = {
         "file": str(path),
         "complete": reader.problem is None,
@@ -77,7 +84,9 @@ def replay_stream(
     if out is not None:
         # The file may grow meanwhile: what is drawn is what was counted.
         frames = _first(TrackStreamReader(path), figures.frames)
-        shown = paced(frames, fps, lost_damping_s=header.lost_damping_s, max_gap_s=max_gap_s)
+        shown = paced(
+            frames, fps, lost_damping_s=header.lost_damping_s, max_gap_s=max_gap_s, paths=paths
+        )
         facts.update(_write(Path(out), shown, render, fps, progress))
         facts["out"] = str(out) if facts["pictures"] else None
     return facts
@@ -95,7 +104,11 @@ def _check(view: str, background: "Frame | None", ground: GroundMap | None) -> N
 
 
 def _prepared(
-    reader: TrackStreamReader, background: "Frame | None", view: str, ground: GroundMap | None
+    reader: TrackStreamReader,
+    background: "Frame | None",
+    view: str,
+    ground: GroundMap | None,
+    paths: "Paths | None",
 ) -> "tuple[Callable[[Shown], Frame], StreamFigures]":
     """Reads all of the stream once: its figures, and who draws it."""
     from survtrack.drawing.plan import Extent, PlanView
@@ -105,7 +118,7 @@ def _prepared(
     size = (header.width_px, header.height_px)
     figures = StreamFigures(reader)
     if view == "over":
-        render: Callable[[Shown], Frame] = OverView(size, background)
+        render: Callable[[Shown], Frame] = OverView(size, background, paths)
         for _ in figures.counted():
             pass
         return render, figures

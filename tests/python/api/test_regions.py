@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Regions that are read instead of whole frames."""
 
+import copy
+import math
+import pickle
+
 import numpy as np
 import pytest
 
@@ -150,3 +154,42 @@ def test_a_region_of_ones_own_is_equal_to_the_detectors() -> None:
     assert region != survtrack.Region(survtrack.Box(1, 2, 3, 4), kind)
     with pytest.raises(survtrack.InputError, match="track_id: -1 is not allowed"):
         survtrack.Region(survtrack.Box(1, 2, 3, 4), kind, -1)
+
+
+BAD_BOXES = [
+    (math.nan, 0, 4, 4),
+    (0, math.inf, 4, 4),
+    (0, 0, math.inf, 4),
+    (0, 0, 4, math.nan),
+    (0, 0, 0, 4),
+    (0, 0, 4, -1),
+]
+
+
+@pytest.mark.parametrize("numbers", BAD_BOXES)
+def test_a_region_has_finite_numbers_and_a_size(numbers: tuple[float, ...]) -> None:
+    box = survtrack.Box(*numbers)
+    with pytest.raises(survtrack.InputError) as caught:
+        survtrack.Region(box, survtrack.RegionKind.refresh)
+    assert str(caught.value) == (
+        f"box: {box!r} is not allowed; expected finite numbers, with a width and height above 0"
+    )
+
+
+def test_only_a_predicted_region_is_of_a_track() -> None:
+    box = survtrack.Box(1, 2, 3, 4)
+    for kind in set(survtrack.RegionKind) - {survtrack.RegionKind.predicted}:
+        assert survtrack.Region(box, kind).track_id == 0
+        words = f"^track_id: 7 is not allowed of the kind {kind.name}; expected 0, or the kind"
+        with pytest.raises(survtrack.InputError, match=words):
+            survtrack.Region(box, kind, 7)
+
+
+def test_boxes_and_regions_are_copied_and_pickled() -> None:
+    box = survtrack.Box(0.1, -2.5, 1e-300, 7e10)
+    values = [box, survtrack.Box(math.inf, 0, -1, 0)]
+    values += [survtrack.Region(box, kind) for kind in survtrack.RegionKind]
+    values += [survtrack.Region(box, survtrack.RegionKind.predicted, 2**53)]
+    for value in values:
+        for copied in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value))):
+            assert copied == value and copied is not value and type(copied) is type(value)

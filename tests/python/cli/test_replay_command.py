@@ -15,9 +15,14 @@ import pytest
 
 import survtrack
 from clips import walking_square, write_images, write_video
-from survtrack import RegionKind
+from fakes import Box, Track
+from survtrack import Path as ImagePath
+from survtrack import Paths, RegionKind
 from survtrack.cli.main import main
-from survtrack.replay import read_track_stream
+from survtrack.errors import InputError
+from survtrack.path_file import read_paths
+from survtrack.replay import read_track_stream, replay_stream
+from track_streams import pieces, result_at
 
 FRAMES = walking_square(60, width=128, height=96, side=20, still=20)
 GROUND = {
@@ -227,7 +232,61 @@ def test_a_stream_that_is_cut_before_its_first_frame_leaves_no_video(
     out = tmp_path / "replay.mp4"
     assert replay(stream, "--out", out) == 1
     text, err = capsys.readouterr()
-    assert text == "0 frames of 128x96 px in 0.00 s, tracks: 0\n" and "is cut in its first" in err
+    assert (
+        text == "0 frames of 128x96 px in 0.00 s, tracks: 0\n"
+        and "is cut in its first frame; it holds no whole" in err
+    )
+    assert not out.exists()
+
+
+def path_file(folder: Path, size: tuple[int, int] = (128, 96)) -> Path:
+    """Right along the way of the square, and from x = 90 on down."""
+    file = folder / "lane.json"
+    lane = ImagePath([(0, 42), (90, 42), (90, 96)], max_distance_px=20)
+    file.write_text(Paths({"lane": lane}, size).to_json())
+    return file
+
+
+def foot_of_blue(picture: np.ndarray) -> tuple[float, float]:
+    """(x, y) of the middle of the lower edge of what is drawn as filtered, above the caption."""
+    blue, green, red = (picture[:78, :, channel].astype(int) for channel in range(3))
+    y, x = np.nonzero((blue > 150) & (blue > green + 60) & (blue > red + 90))
+    assert len(x) > 20, len(x)
+    return (x.min() + x.max()) / 2, float(y.max())
+
+
+def test_along_a_path_what_is_missing_goes_round_the_bend(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    car = Track(1, Box(70, 32, 20, 20), velocity_px_per_s=(20.0, 0.0))
+    results = [result_at(0, 0.0, car), result_at(20, 2.0, car)]
+    stream, out = tmp_path / "tracks.svt", tmp_path / "replay.mp4"
+    stream.write_bytes(b"".join(pieces(results, size=(128, 96))))
+    lane = path_file(tmp_path)
+    # 1.5 s after the first, 30 px further: 10 px to the bend and 20 px down, or straight on.
+    for args, wanted in ((["--path", lane], (90, 72)), ([], (110, 52))):
+        facts = facts_of(capsys, stream, *args, "--out", out)
+        assert (facts["pictures"], facts["predicted_pictures"]) == (21, 19)
+        shown = pictures_of(out)[15].astype(int)
+        assert foot_of_blue(shown) == pytest.approx(wanted, abs=2)
+        # The path is drawn, in cyan.
+        beside = shown[36:49, 20:60]
+        line = (beside[..., 0] > 150) & (beside[..., 1] > 150) & (beside[..., 2] < 120)
+        assert (line.any(axis=0).mean() > 0.9) is bool(args)
+    assert facts_of(capsys, stream, "--path", lane, "--view", "above", "--out", out)["pictures"]
+
+
+def test_paths_of_other_frames_or_none_are_refused(
+    stream: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lane, out = path_file(tmp_path, (64, 48)), tmp_path / "replay.mp4"
+    assert replay(stream, "--path", lane, "--out", out) == 1
+    message = f"{lane}: is for frames of 64x48, the run's are 128x96"
+    assert capsys.readouterr().err == f"survtrack: error: {message}\n"
+    with pytest.raises(InputError, match=r"^paths: is for frames of 64x48, the run's are 128x96$"):
+        replay_stream(stream, out, paths=read_paths(lane))
+    assert replay(stream, "--path", tmp_path / "none.json", "--out", out) == 1
+    assert "none.json: no such file" in capsys.readouterr().err
     assert not out.exists()
 
 

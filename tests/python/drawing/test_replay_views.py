@@ -139,7 +139,7 @@ def test_any_state_can_be_drawn(size: tuple[int, int], value: float) -> None:
     there = track(value, -value, covariance_px2=(value * value, 0.0, 2.0**80))
     box = Box(value, value, abs(value), abs(value))
     each = shown(there, track(1, 1, 2, box=box), then=(track(3, 3, 2, measured=box),))
-    read = (region(RegionKind.predicted, value, 0, abs(value), 1e10),)
+    read = (region(RegionKind.predicted, value, 0, max(abs(value), 1e-300), 1e10),)
     each = Shown(each.frame, StreamFrame(1, 0.1, regions=read))
     for view in (OverView(size), plan_of(size, each.frame)):
         assert (view(each) == view(each)).all()

@@ -3,6 +3,7 @@
 """A steady rate of pictures: what is missing is predicted, long gaps are passed over."""
 
 import math
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -180,6 +181,26 @@ def test_a_damping_out_of_bounds_is_refused(damping_s: float) -> None:
         predicted(at(5.0)[0], 5.1, damping_s)
     with pytest.raises(UsageError, match=words):
         paced([], 10, lost_damping_s=damping_s)
+
+
+@pytest.mark.parametrize("time_s", [4.9, -math.inf, math.inf, math.nan, 1e120, 1.1e9])
+def test_a_time_out_of_bounds_is_refused(time_s: float) -> None:
+    words = f"time: {time_s} s is not allowed; the frame's own, 5.0 s, to 1e9 s later"
+    with pytest.raises(UsageError, match=f"^{re.escape(words)}$"):
+        predicted(at(5.0)[0], time_s)
+    with pytest.raises(UsageError, match=r"^time: 5\.0 s is not allowed; the frame's own, nan s"):
+        predicted(at(math.nan)[0], 5.0)
+
+
+def test_at_the_last_time_all_is_finite_of_whatever_a_stream_can_hold() -> None:
+    most, square = 2.0**40, 2.0**80
+    wild = StreamTrack(
+        1, TrackStatus.confirmed, Box(most, most, most, most), (most, most), (most, -most),
+        (square, square, square), None, (square,) * 3, (square,) * 4, (square,) * 3,
+    )  # fmt: skip
+    [track] = predicted(StreamFrame(0, 5.0, (wild,)), 5.0 + 1e9).tracks
+    numbers = [*track.box, *track.position, *track.velocity_px_per_s, *track.covariance_px2]
+    assert np.isfinite([*numbers, *track.rate_covariance, *track.cross_covariance]).all()
 
 
 @pytest.mark.parametrize("gap_s", [-1, 3601, float("nan"), float("inf")])

@@ -39,10 +39,12 @@ def test_every_prefix_gives_its_whole_frames() -> None:
         count = max(0, sum(end <= length for end in ends) - 1)
         assert frames == whole[:count]
         assert decoder.byte_count == max((end for end in ends if end <= length), default=0)
-        words = f"after frame {count} of it" if count else "in its first frame"
+        words = f"after frame {count} of it; what was before is whole"
+        if count == 0:
+            words = "in its first frame; it holds no whole frame"
         if length < ends[0]:
             words = "in its header; it holds no frames"
-        assert decoder.problem is not None and f"x.svt: is cut {words}" in decoder.problem
+        assert decoder.problem is not None and decoder.problem == f"x.svt: is cut {words}"
     assert decoded(data)[1].problem is None
 
 

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A track stream gives back what was written, to half a step, and is what docs/replay.md says."""
 
+import copy
 import math
+import pickle
 from typing import Any
 
 import numpy as np
@@ -143,6 +145,17 @@ def test_a_reader_written_from_the_document_reads_the_same(results: list[Result]
         parts = [each for each in frame.regions if each.kind is not RegionKind.whole_frame]
         assert (len(parts) < len(frame.regions)) == other["whole"]
         assert [(each.kind.value, each.track_id, [*each.box]) for each in parts] == other["regions"]
+
+
+def test_frames_are_copied_and_pickled() -> None:
+    frames, _ = decoded(stream(walk(8)))
+    assert all(frame.tracks and frame.regions for frame in frames)
+    assert any(track.measured is not None for track in frames[3].tracks)
+    for frame in frames:
+        for copied in (copy.deepcopy(frame), pickle.loads(pickle.dumps(frame))):
+            assert copied == frame
+            assert copied.tracks[0].box is not frame.tracks[0].box
+            assert copied.tracks[0].status is frame.tracks[0].status
 
 
 def test_the_bytes_of_a_small_stream() -> None:
