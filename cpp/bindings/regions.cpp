@@ -18,7 +18,8 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using RegionState = py::typing::Tuple<Box, RegionKind, std::int64_t>;
 
 Region make_region(const Box& box, RegionKind kind, std::int64_t track_id) {
-  const bool finite = std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) && std::isfinite(box.height);
+  const bool finite =
+      std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) && std::isfinite(box.height);
   if (!finite || box.width <= 0.0 || box.height <= 0.0) {
     throw InputError("box: " + std::string(py::repr(py::cast(box))) +
                      " is not allowed; expected finite numbers, with a width and height above 0");

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from survtrack._core import Box
-from survtrack.path_file import nearest_place
+from survtrack.path_file import FARTHEST_PX, nearest_place
 from survtrack.replay.damping import damped
 from survtrack.replay.values import StreamTrack
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from survtrack.path_file import TrackPlace
 
 Matrix = npt.NDArray[np.float64]
-FARTHEST_PX = 1e8  # along and across a path, as the filter along paths keeps it
+MOST_PX = 1e8  # of a position by a path; of one farther away S could be more than Path converts
 
 
 class Motion(NamedTuple):
@@ -63,7 +63,9 @@ def moved(
         track.velocity_covariance_px2_per_s2,
         track.velocity_noise_px2_per_s3,
     )
-    place = None if paths is None else nearest_place(track, paths)
+    place = None
+    if paths is not None and max(map(abs, track.position)) <= MOST_PX:
+        place = nearest_place(track, paths)
     if paths is None or place is None:
         later = _stepped(now, passed_s, damping_s)
     else:

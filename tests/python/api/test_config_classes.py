@@ -23,7 +23,7 @@ OTHER_CHOICES = {
     "square": "ellipse",
     "continuous": "identity",
     "hs1981": "sobel",
-    "border": "strip",
+    "strip": "border",
     "detection": "frame_center",
     "checked": "as_published",
     "mean": "median",

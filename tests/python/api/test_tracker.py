@@ -133,15 +133,13 @@ def test_a_bad_time_is_named_and_keeps_the_state(time_s: float) -> None:
 def test_update_follows_predict_of_the_same_time() -> None:
     tracker = Tracker(survtrack.preset("narayana2007"))
     here = Detections([BOX], 1.0, frame_size=(320, 240))
-    with pytest.raises(
-        InputError, match=r"^detections\.time_s: 1\.0+ is not the time given to pre"
-    ):
+    with pytest.raises(InputError, match=r"^detections\.time_s: 1 is not the time given to pre"):
         tracker.update(here)
     tracker.predict(1.0)
     with pytest.raises(InputError, match=r"^detections\.time_s: 1\.5"):
         tracker.update(Detections([BOX], 1.5, frame_size=(320, 240)))
     assert len(tracker.update(here).tracks) == 1
-    with pytest.raises(InputError, match=r"^detections\.time_s: 1\.0"):
+    with pytest.raises(InputError, match=r"^detections\.time_s: 1 "):
         tracker.update(here)
     with pytest.raises(InputError, match=r"^time_s: 1 does not come after 1"):
         tracker.process(here)

@@ -178,7 +178,7 @@ def test_the_preset_has_the_identified_noises(made: measured.Made) -> None:
 def test_verdicts_are_those_of_the_numbers(made: measured.Made) -> None:
     assert [claim.holds for claim in claims(made, [])] == [
         *(False, True, True, False, False),
-        *(False, True, False, True, False, True),
+        *(False, True, False, True, True, True),
     ]
     text = made.errors["text"]
     assert text.t < made.raw[0] / 2 and text.v_t < made.raw[2] / 10

@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 PRESETS = ("omalley2000", "omalley2000_identified")
 SEEDS = (1, 2, 3, 4, 5, 6)  # of the drives
 FRAMES = 300  # of each: four laps of the slowest
-LAPS = (3, 4)  # the fourth counts: until then the scene's scale is learned, and regions grow by it
+LAPS = (3, 4)  # the fourth counts: by then all that a preset may learn of the scene is learned
 ZONE_PX = 80.0  # side of that place
 
 

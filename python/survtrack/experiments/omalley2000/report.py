@@ -154,8 +154,8 @@ def _filmed(made: Made) -> str:
 {film.NOISE_SIGMA:g} grey levels: each starts anywhere, goes the printed speed give or take a fifth
 and is faster and slower by {50 * race.SWING:g} to {100 * race.SWING:g} % twice a lap, its fastest
 place anywhere. The fourth lap counts, {made.filmed[0].frames} frames in all: in the first the car
-comes to the zone where it is acquired, and until the third the scene's scale is learned, by which
-regions grow. Background, blobs, filter and regions are the preset's. A frame without a region is a
+comes to the zone where it is acquired, and by the fourth all that a preset may learn of the scene
+is learned. Background, blobs, filter and regions are the preset's. A frame without a region is a
 miss, and its area is that of the zone. The constant box is one for all drives, the printed way of a
 frame ahead of the car's true place in the frame before, and the smallest that holds it as often;
 the box of each drive knows that drive beforehand, its mean way and its worst frames. Pixels read
