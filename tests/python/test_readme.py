@@ -20,9 +20,9 @@ from workspace import make_workspace
 NOT_RUN = ("pip install ", "cmake ", "ctest ")
 
 
-@pytest.fixture(scope="module")
-def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("workspace")
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    folder = tmp_path / "workspace"
     make_workspace(folder)
     return folder
 
@@ -33,8 +33,7 @@ def test_there_are_only_languages_that_are_tested() -> None:
     assert {"bash", "python", "cpp", "cmake", "toml"} <= languages
 
 
-@pytest.mark.parametrize("block", blocks("bash"), ids=str)
-def test_bash(block: Block, workspace: Path) -> None:
+def run_bash(block: Block, workspace: Path) -> None:
     for line in block.text.replace("\\\n", " ").splitlines():
         words = shlex.split(line, comments=True)
         if not words or line.startswith(NOT_RUN):
@@ -46,10 +45,24 @@ def test_bash(block: Block, workspace: Path) -> None:
             outside_project.run(sys.executable, "-m", *words, cwd=workspace)
 
 
-@pytest.mark.parametrize("block", blocks("python"), ids=str)
-def test_python(block: Block, workspace: Path) -> None:
+def run_python(block: Block, workspace: Path) -> None:
     printed = outside_project.run(sys.executable, "-W", "error", "-c", block.text, cwd=workspace)
     assert printed or "print(" not in block.text
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
+def test_what_a_document_does_works_in_its_order(document: Path, workspace: Path) -> None:
+    """A document's blocks may use what the ones above have made, and nothing else."""
+    for block in blocks():
+        if block.document != document:
+            continue
+        try:
+            if block.language == "bash":
+                run_bash(block, workspace)
+            elif block.language == "python":
+                run_python(block, workspace)
+        except AssertionError as error:
+            raise AssertionError(f"{block}: {error}") from error
 
 
 @pytest.mark.parametrize("block", blocks("toml"), ids=str)

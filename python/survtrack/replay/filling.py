@@ -60,7 +60,7 @@ def predicted(
     passed_s = time_s - frame.time_s
     if not 0 <= passed_s <= MOST_PREDICTED_S:
         raise UsageError(
-            f"time: {time_s} s is not allowed; the frame's own, {frame.time_s} s, to 1e9 s later"
+            f"time_s: {time_s} is not allowed; the frame's own, {frame.time_s}, to 1e9 s later"
         )
     tracks = tuple(moved(track, passed_s, lost_damping_s, paths) for track in frame.tracks)
     return replace(frame, time_s=time_s, tracks=tracks, predicted_s=passed_s, regions=())

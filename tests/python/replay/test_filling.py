@@ -185,10 +185,10 @@ def test_a_damping_out_of_bounds_is_refused(damping_s: float) -> None:
 
 @pytest.mark.parametrize("time_s", [4.9, -math.inf, math.inf, math.nan, 1e120, 1.1e9])
 def test_a_time_out_of_bounds_is_refused(time_s: float) -> None:
-    words = f"time: {time_s} s is not allowed; the frame's own, 5.0 s, to 1e9 s later"
+    words = f"time_s: {time_s} is not allowed; the frame's own, 5.0, to 1e9 s later"
     with pytest.raises(UsageError, match=f"^{re.escape(words)}$"):
         predicted(at(5.0)[0], time_s)
-    with pytest.raises(UsageError, match=r"^time: 5\.0 s is not allowed; the frame's own, nan s"):
+    with pytest.raises(UsageError, match=r"^time_s: 5\.0 is not allowed; the frame's own, nan"):
         predicted(at(math.nan)[0], 5.0)
 
 
